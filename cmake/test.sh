@@ -1,0 +1,14 @@
+#!/bin/sh
+# Copyright (c) 2026 The Spline_constraints_d authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# sh cmake/test.sh [PRESET]: installs what is missing, builds everything in build/PRESET and runs every test.
+# The presets are release (the default), debug and sanitizers.
+set -eu
+cd "$(dirname "$0")/.."
+preset=${1:-release}
+jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+
+sh cmake/configure.sh "$preset"
+cmake --build --preset "$preset" --parallel "$jobs"
+ctest --preset "$preset" --parallel "$jobs"

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Solves a polynomial system in Minibex format and prints every answer with its certificate.
+//
+//   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
+//                     [--time-limit S] [--json]
+//
+// Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
+#include "solve_system_output.h"
+
+#include <CGAL/Spline_constraints_d.h>
+#include <CGAL/Spline_constraints_d/IO/read_minibex.h>
+
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace SC = CGAL::Spline_constraints;
+
+struct Arguments
+{
+  std::string file, number_type = "certified", test = "graph";
+  SC::Solver_options options;
+  bool json = false;
+};
+
+Arguments parse(int argc, char* argv[])
+{
+  Arguments result;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&] {
+      if (++i == argc)
+        throw SC::Invalid_input(word + " needs a value");
+      return std::string(argv[i]);
+    };
+    if (word == "--number-type") result.number_type = value();
+    else if (word == "--tolerance") result.options.tolerance = number(word, value());
+    else if (word == "--test") result.test = value();
+    else if (word == "--time-limit") result.options.time_limit = number(word, value());
+    else if (word == "--json") result.json = true;
+    else if (word.starts_with("--") || !result.file.empty()) throw SC::Invalid_input("unknown argument " + word);
+    else result.file = word;
+  }
+  if (result.file.empty())
+    throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--json]");
+  return result;
+}
+
+template <class Number, bool tracks_rounding = true>
+int solve(const Arguments& arguments)
+{
+  const SC::Minibex_system input = SC::read_minibex(arguments.file);
+  SC::Constraint_system_d system(input.domains);
+  for (const auto& constraint : input.constraints)
+    system.add(constraint.function, constraint.relation);
+
+  Progress_bar progress;
+  const auto run = [&]<class Test>() {
+    using Traits = SC::Solver_traits<Number, Test, SC::Preconditioned_reduction, SC::Smear_splitter, tracks_rounding>;
+    const auto solutions = SC::Subdivision_solver_d<Traits>(arguments.options)(system, progress);
+    progress.clear();
+    arguments.json ? print_json(input.names, solutions) : print_lines(input.names, solutions);
+    return solutions.is_complete() ? 0 : 3;
+  };
+  if (arguments.test == "graph")
+    return run.template operator()<SC::Graph_box_test>();
+  if (arguments.test == "cone")
+    return run.template operator()<SC::Normal_cone_test>();
+  throw SC::Invalid_input("--test must be cone or graph, not " + arguments.test);
+}
+
+int main(int argc, char* argv[])
+try {
+  const Arguments arguments = parse(argc, argv);
+  if (arguments.number_type == "fast") return solve<double, false>(arguments);
+  if (arguments.number_type == "certified") return solve<double>(arguments);
+  if (arguments.number_type == "interval") return solve<CGAL::Interval_nt<false>>(arguments);
+  if (arguments.number_type == "multiprecision") return solve<SC::Mpfr_interval>(arguments);
+  if (arguments.number_type == "exact") return solve<SC::Exact_rational>(arguments);
+  throw SC::Invalid_input("unknown number type " + arguments.number_type);
+} catch (const std::exception& error) {
+  std::cerr << "solve_system: " << error.what() << '\n';
+  return 2;
+}

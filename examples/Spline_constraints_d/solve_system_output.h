@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What solve_system prints: one line per answer, or JSON, and a progress bar.
+#ifndef SOLVE_SYSTEM_OUTPUT_H
+#define SOLVE_SYSTEM_OUTPUT_H
+
+#include <CGAL/Spline_constraints_d.h>
+
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+// A number of the command line, the whole word.
+inline double number(const std::string& option, const std::string& word)
+{
+  double result = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), result);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(result))
+    throw CGAL::Spline_constraints::Invalid_input(option + ": " + word + " is not a number");
+  return result;
+}
+
+// Shows the share of the domain that is done, on a terminal and after a second.
+class Progress_bar
+{
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+  bool m_is_terminal = isatty(2) != 0, m_is_shown = false;
+
+public:
+  void on_progress(double fraction)
+  {
+    if (!m_is_terminal || std::chrono::steady_clock::now() - m_start < std::chrono::seconds(1))
+      return;
+    const int done = static_cast<int>(40 * fraction);
+    std::cerr << "\r[" << std::string(done, '#') << std::string(40 - done, ' ') << "] " << static_cast<int>(100 * fraction) << " %" << std::flush;
+    m_is_shown = true;
+  }
+  bool stop() const { return false; }
+  void clear()
+  {
+    if (m_is_shown)
+      std::cerr << '\r' << std::string(50, ' ') << '\r';
+  }
+};
+
+// Both ends of a range as decimals; rounded outwards where they are rational.
+template <class Coordinate>
+std::pair<double, double> as_doubles(const std::pair<Coordinate, Coordinate>& range)
+{
+  using namespace CGAL::Spline_constraints;
+  return {to_double_interval(Exact_rational(range.first)).first, to_double_interval(Exact_rational(range.second)).second};
+}
+
+template <class Solution_set>
+void print_summary(const Solution_set& solutions)
+{
+  using CGAL::Spline_constraints::Solution_kind;
+  std::cout << "solutions: " << solutions.count(Solution_kind::CERTIFIED) << " certified, "
+            << solutions.count(Solution_kind::CLUSTER) << " clusters, " << solutions.count(Solution_kind::CONTINUUM) << " continua, "
+            << solutions.count(Solution_kind::UNDECIDED) << " undecided; complete: " << (solutions.is_complete() ? "yes" : "no")
+            << "; nodes " << solutions.summary().nodes << "; seconds " << std::setprecision(4) << solutions.summary().seconds << '\n';
+}
+
+template <class Solution_set>
+void print_lines(const std::vector<std::string>& names, const Solution_set& solutions)
+{
+  using CGAL::Spline_constraints::Solution_kind;
+  int index = 0;
+  for (const auto& solution : solutions) {
+    std::cout << (solution.is_certified() ? "root " : "box ") << ++index << "  " << solution.kind();
+    if (solution.kind() == Solution_kind::CLUSTER && solution.multiplicity() > 0)
+      std::cout << " of multiplicity " << solution.multiplicity();
+    if (solution.kind() == Solution_kind::UNDECIDED)
+      std::cout << " (" << solution.reason() << ')';
+    std::cout << ' ' << std::setprecision(17);
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = as_doubles(solution[j]);
+      std::cout << ' ' << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    std::cout << '\n';
+  }
+  print_summary(solutions);
+}
+
+template <class Solution_set>
+void print_json(const std::vector<std::string>& names, const Solution_set& solutions)
+{
+  std::cout << "{\"solutions\": [" << std::setprecision(17);
+  const char* separator = "\n";
+  for (const auto& solution : solutions) {
+    std::cout << separator << "  {\"kind\": \"" << solution.kind() << "\", \"number_type\": \"" << solution.number_type()
+              << "\", \"multiplicity\": " << solution.multiplicity() << ", \"reason\": \"" << solution.reason() << "\", \"box\": {";
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = as_doubles(solution[j]);
+      std::cout << (j == 0 ? "" : ", ") << '"' << names[j] << "\": [" << lower << ", " << upper << ']';
+    }
+    std::cout << "}}";
+    separator = ",\n";
+  }
+  const auto& summary = solutions.summary();
+  std::cout << "\n],\n\"complete\": " << (summary.is_complete ? "true" : "false") << ", \"why_not\": \"" << summary.why_not
+            << "\", \"nodes\": " << summary.nodes << ", \"depth\": " << summary.depth << ", \"exact_rebuilds\": " << summary.restarts
+            << ", \"seconds\": " << summary.seconds << "}\n";
+  print_summary(solutions);
+}
+
+#endif // SOLVE_SYSTEM_OUTPUT_H

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_H
+
+// Everything for stating and solving systems; reading and writing of files is in CGAL/Spline_constraints_d/IO.
+#include <CGAL/Spline_constraints_d/internal/compatibility.h>
+
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Rational_function.h>
+#include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_H

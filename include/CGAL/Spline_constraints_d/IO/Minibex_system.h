@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_MINIBEX_SYSTEM_H
+#define CGAL_SPLINE_CONSTRAINTS_D_IO_MINIBEX_SYSTEM_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/Relation.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+One constraint of a Minibex file: `function relation 0`, with the line of the file it begins on (0 when it comes from elsewhere).
+*/
+struct Minibex_constraint
+{
+  Power_polynomial function;
+  Relation relation = Relation::EQUAL;
+  int line = 0;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+The polynomial system of a Minibex file. `names[i]` and `domains[i]` belong to the unknown of index `i` in the functions; the elements
+of an array `x[3]` are the unknowns `x(1)`, `x(2)`, `x(3)`.
+*/
+struct Minibex_system
+{
+  std::vector<std::string> names;
+  std::vector<std::pair<Exact_rational, Exact_rational>> domains;
+  std::vector<Minibex_constraint> constraints;
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_IO_MINIBEX_SYSTEM_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_READ_MINIBEX_H
+#define CGAL_SPLINE_CONSTRAINTS_D_IO_READ_MINIBEX_H
+
+#include <CGAL/Spline_constraints_d/IO/Minibex_system.h>
+#include <CGAL/Spline_constraints_d/IO/Parse_error.h>
+#include <CGAL/Spline_constraints_d/IO/internal/Minibex_parser.h>
+
+#include <fstream>
+#include <istream>
+#include <iterator>
+#include <string>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+reads a system of polynomial equations and inequalities in the polynomial subset of Minibex, the input language of the solver IBEX.
+
+\code{.unparsed}
+Constants                    // optional
+  r = 3/2;  s in [2,2];
+Variables                    // , or ; between them, ; at the end
+  x in [-1e8, 1e8], y in [-r, 2*r];
+  z[3] in [0, 1];            // also: in ([0,1]; [0,2]; [-1,1])
+Constraints
+  x^2 + 7./48*sqr(y) - s*z(1) = 0;
+  (x - 1)*z[0]^3 <= .5e-3;   // z(1) and z[0] are the same unknown
+end
+\endcode
+
+- Keywords are written `end`, `End` or `END`. Comments are those of C++.
+- Numbers are read exactly: `0.1` is one tenth and `7./48` is 7/48. A number has at most 20000 digits when written without exponent.
+- `^` takes a constant integer and associates to the left; it binds stronger than a sign: `-x^2` is \f$-(x^2)\f$.
+- `/` divides by a constant. A sign after `/` or `^` that is followed by another `*`, `/` or `^` needs parentheses, since IBEX reads `1/-2*3` as `1/(-(2*3))`.
+- The elements of an array `z[3]` are `z(1)`, `z(2)`, `z(3)`, or, as in recent versions of IBEX, `z[0]`, `z[1]`, `z[2]`.
+- Every unknown needs a domain with finite bounds, which are constant expressions.
+- Not in the subset, and reported as such: functions other than `sqr`, `pi`, interval constants, matrices, arrays of constants, the
+  sections `Parameters`, `Function`, `Minimize`, loops, names introduced among the constraints, constraints in parentheses.
+
+Expressions are expanded; the time this takes is bounded by a constant (some seconds) plus a multiple of the length of the file.
+
+\param in the file's content.
+\param file_name how errors call the file.
+\throws Parse_error with line, column and the offending text, when the content is not such a system or the limits of `Power_polynomial` are exceeded;
+        also when the stream fails.
+*/
+inline Minibex_system read_minibex(std::istream& in, const std::string& file_name)
+{
+  if (!in)
+    throw Parse_error(file_name, 0, 0, "cannot be read", "");
+  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad())
+    throw Parse_error(file_name, 0, 0, "cannot be read", "");
+  return internal::Minibex_parser(content, file_name).system();
+}
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+reads the file of the given path.
+\throws Parse_error as above, and when the file cannot be opened.
+*/
+inline Minibex_system read_minibex(const std::string& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    throw Parse_error(path, 0, 0, "cannot be opened", "");
+  in.peek();   // a directory opens, but cannot be read
+  if (in.bad())
+    throw Parse_error(path, 0, 0, "cannot be read", "");
+  in.clear();
+  return read_minibex(in, path);
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_IO_READ_MINIBEX_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_SPLINE_FUNCTION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_SPLINE_FUNCTION_H
+
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+
+One summand of a `Spline_function`: a piecewise polynomial of the unknowns `variables`, exact, in power form.
+
+Axis `j` belongs to the unknown `variables[j]` (increasing) and is cut at `breaks[j]` (increasing; empty when the term is one polynomial everywhere).
+`pieces` holds a dense coefficient tensor per cell, cells and coefficients both in row-major order with the last axis fastest: entry \f$(k_0,k_1,\dots)\f$ of a
+piece is the coefficient of \f$\prod_j x_{v_j}^{k_j}\f$.
+*/
+struct Spline_term
+{
+  std::vector<int> variables;
+  std::vector<int> degrees;
+  std::vector<std::vector<Exact_rational>> breaks;
+  std::vector<std::vector<Exact_rational>> pieces;
+
+  //! number of coefficients of one piece.
+  std::size_t piece_size() const
+  {
+    std::size_t size = 1;
+    for (int d : degrees)
+      size *= static_cast<std::size_t>(d) + 1;
+    return size;
+  }
+
+  //! number of cells along an axis.
+  std::size_t cells(std::size_t axis) const { return breaks[axis].empty() ? 1 : breaks[axis].size() - 1; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+
+A multivariate spline as the solver wants it: a sum of terms, each on its own subset of the unknowns, with exact rational coefficients.
+
+Terms are kept apart as long as their unknowns are, since the range of a sum over disjoint unknowns is the sum of the ranges:
+\f$C_1(t) - C_2(s)\f$ costs \f$d_1 + d_2 + 2\f$ coefficients instead of \f$(d_1+1)(d_2+1)\f$.
+*/
+class Spline_function
+{
+  std::vector<Spline_term> m_terms;
+
+public:
+  //! the function that is zero everywhere.
+  Spline_function() = default;
+
+  //! splits a polynomial into terms that share no unknown (the connected components of "occurs in one monomial with").
+  Spline_function(const Power_polynomial& polynomial);
+
+  //! a single term.
+  //! \throws Invalid_input when sizes do not match or breaks do not increase.
+  explicit Spline_function(Spline_term term);
+
+  //! the term of a spline given by its Bézier pieces: `breaks` per axis (at least two each), `pieces` in row-major order of the cells on the local unit boxes.
+  //! \throws Invalid_input when sizes do not match, breaks do not increase or variables do not increase.
+  static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                            const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
+
+  //! the summands.
+  const std::vector<Spline_term>& terms() const { return m_terms; }
+
+  //! adds the terms of another function.
+  Spline_function& operator+=(const Spline_function& other)
+  {
+    m_terms.insert(m_terms.end(), other.m_terms.begin(), other.m_terms.end());
+    return *this;
+  }
+
+  //! multiplies by a constant.
+  Spline_function& operator*=(const Exact_rational& factor)
+  {
+    for (Spline_term& term : m_terms)
+      for (auto& piece : term.pieces)
+        for (Exact_rational& coefficient : piece)
+          coefficient *= factor;
+    return *this;
+  }
+
+  friend Spline_function operator+(Spline_function a, const Spline_function& b) { return a += b; }
+  friend Spline_function operator-(Spline_function a, Spline_function b) { return a += (b *= Exact_rational(-1)); }
+};
+
+namespace internal {
+
+inline void check(const Spline_term& term)
+{
+  if (term.degrees.size() != term.variables.size() || term.breaks.size() != term.variables.size())
+    throw Invalid_input("Spline_term: variables, degrees and breaks differ in number");
+  std::size_t cells = 1;
+  for (std::size_t j = 0; j < term.variables.size(); ++j) {
+    const std::string at = " (axis " + std::to_string(j) + ")";
+    if (term.variables[j] < 0 || (j > 0 && term.variables[j] <= term.variables[j - 1]))
+      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at);
+    if (term.degrees[j] < 0)
+      throw Invalid_input("Spline_term: negative degree" + at);
+    if (term.breaks[j].size() == 1)
+      throw Invalid_input("Spline_term: a single break" + at);
+    for (std::size_t k = 1; k < term.breaks[j].size(); ++k)
+      if (!(term.breaks[j][k - 1] < term.breaks[j][k]))
+        throw Invalid_input("Spline_term: breaks must increase" + at + ", break " + std::to_string(k));
+    cells *= term.cells(j);
+  }
+  if (term.pieces.size() != cells)
+    throw Invalid_input("Spline_term: " + std::to_string(term.pieces.size()) + " pieces for " + std::to_string(cells) + " cells");
+  for (std::size_t c = 0; c < cells; ++c)
+    if (term.pieces[c].size() != term.piece_size())
+      throw Invalid_input("Spline_term: wrong number of coefficients in piece " + std::to_string(c));
+}
+
+// Substitutes x -> shift + scale x along an axis of a dense power-form tensor, by repeated synthetic division.
+template <class NT>
+void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis, const NT& shift, const NT& scale)
+{
+  std::size_t inner = 1;
+  for (std::size_t j = axis + 1; j < degrees.size(); ++j)
+    inner *= static_cast<std::size_t>(degrees[j]) + 1;
+  const int degree = degrees[axis];
+  const std::size_t line = inner * (degree + 1);
+  for (std::size_t begin = 0; begin < coefficients.size(); begin += line)
+    for (std::size_t i = begin; i < begin + inner; ++i) {
+      for (int r = 0; r < degree; ++r)
+        for (int k = degree - 1; k >= r; --k)
+          coefficients[i + inner * k] += shift * coefficients[i + inner * (k + 1)];
+      NT power(1);
+      for (int k = 1; k <= degree; ++k) {
+        power *= scale;
+        coefficients[i + inner * k] *= power;
+      }
+    }
+}
+
+} // namespace internal
+
+inline Spline_function::Spline_function(Spline_term term)
+{
+  internal::check(term);
+  m_terms.push_back(std::move(term));
+}
+
+inline Spline_function::Spline_function(const Power_polynomial& polynomial)
+{
+  // Union-find over the unknowns: those of one monomial belong together.
+  const std::vector<int> variables = polynomial.variables();
+  std::map<int, int> parent;
+  for (int v : variables)
+    parent[v] = v;
+  const auto root = [&](int v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& [monomial, coefficient] : polynomial.terms())
+    for (const auto& power : monomial.powers)
+      parent[root(power.first)] = root(monomial.powers.front().first);
+
+  std::map<int, std::size_t> term_of_root;
+  for (int v : variables) {
+    const auto [position, is_new] = term_of_root.emplace(root(v), m_terms.size());
+    if (is_new)
+      m_terms.emplace_back();
+    Spline_term& term = m_terms[position->second];
+    term.variables.push_back(v);
+    term.degrees.push_back(polynomial.degree(v));
+    term.breaks.emplace_back();
+  }
+  if (m_terms.empty())
+    m_terms.emplace_back();   // a constant: a term without unknowns
+  for (Spline_term& term : m_terms)
+    term.pieces.assign(1, std::vector<Exact_rational>(term.piece_size(), Exact_rational(0)));
+
+  for (const auto& [monomial, coefficient] : polynomial.terms()) {
+    Spline_term& term = m_terms[monomial.powers.empty() ? 0 : term_of_root[root(monomial.powers.front().first)]];
+    std::size_t index = 0, p = 0;
+    for (std::size_t j = 0; j < term.variables.size(); ++j) {
+      const bool occurs = p < monomial.powers.size() && monomial.powers[p].first == term.variables[j];
+      index = index * (static_cast<std::size_t>(term.degrees[j]) + 1) + (occurs ? monomial.powers[p++].second : 0);
+    }
+    term.pieces[0][index] += coefficient;
+  }
+}
+
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables,
+                                                           std::vector<std::vector<Exact_rational>> breaks,
+                                                           const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
+{
+  Spline_term term;
+  term.variables = std::move(variables);
+  term.breaks = std::move(breaks);
+  const std::size_t dimension = term.variables.size();
+  if (pieces.empty() || term.breaks.size() != dimension)
+    throw Invalid_input("Spline_function: no pieces, or breaks and variables differ in number");
+  term.degrees.assign(dimension, 0);
+  for (const auto& piece : pieces) {
+    if (piece.degrees().size() != dimension)
+      throw Invalid_input("Spline_function: a piece has the wrong number of axes");
+    for (std::size_t j = 0; j < dimension; ++j)
+      term.degrees[j] = (std::max)(term.degrees[j], piece.degrees()[j]);
+  }
+  for (std::size_t j = 0; j < dimension; ++j)
+    if (term.breaks[j].size() < 2)
+      throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    std::vector<Exact_rational> power = pieces[c].elevated(term.degrees).power_coefficients();
+    std::size_t rest = c;
+    for (std::size_t j = dimension; j-- > 0;) {
+      const std::size_t cell = rest % term.cells(j);
+      rest /= term.cells(j);
+      const Exact_rational& begin = term.breaks[j][cell];
+      const Exact_rational scale = Exact_rational(1) / (term.breaks[j][cell + 1] - begin);
+      internal::substitute_affine(power, term.degrees, j, Exact_rational(-begin * scale), scale);
+    }
+    term.pieces.push_back(std::move(power));
+  }
+  return Spline_function(std::move(term));
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_SPLINE_FUNCTION_H

@@ -1,0 +1,251 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_KNOT_VECTOR_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_KNOT_VECTOR_H
+
+#include <CGAL/Spline_constraints_d/function/bernstein_conversion.h>
+#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Knots t_0 <= ... <= t_{n+d} of n control points of degree d; the domain is [t_d, t_n]. Everything here is the blossom of the polynomial on a
+non-empty span (de Boor's recurrence with one argument per level): equal arguments evaluate, the ends of a span extract Bézier points,
+d consecutive knots of a finer vector insert them.
+*/
+template <class NT>
+struct Knot_axis
+{
+  int degree;
+  std::vector<NT> knots;
+
+  std::size_t size() const { return knots.size() - degree - 1; }
+  const NT& begin() const { return knots[degree]; }
+  const NT& end() const { return knots[size()]; }
+};
+
+// A value that occurs among the knots inside the domain, and how often.
+template <class NT>
+struct Break
+{
+  NT value;
+  int multiplicity;
+};
+
+// Throws unless the knots are a valid vector for the degree, of a spline that is continuous on a non-empty domain.
+template <class NT>
+void check_knots(const Knot_axis<NT>& axis, const std::string& where)
+{
+  const std::vector<NT>& knots = axis.knots;
+  const std::size_t order = static_cast<std::size_t>(axis.degree) + 1;
+  if (knots.size() < 2 * order)
+    throw Invalid_input(where + ": " + std::to_string(knots.size()) + " knots, at least " + std::to_string(2 * order) + " are needed");
+  check_finite(knots, where + ": knot");
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (knots[i] < knots[i - 1])
+      throw Invalid_input(where + ": knot " + std::to_string(i) + " is smaller than the one before");
+  if (!(axis.begin() < axis.end()))
+    throw Invalid_input(where + ": the domain is empty");
+  for (std::size_t i = 0; i < knots.size();) {
+    std::size_t last = i + 1;
+    while (last < knots.size() && knots[last] == knots[i])
+      ++last;
+    const bool is_inside = axis.begin() < knots[i] && knots[i] < axis.end();
+    if (last - i > order || (is_inside && last - i == order))
+      throw Invalid_input(where + ": knot " + std::to_string(i) + " occurs " + std::to_string(last - i) + " times, the spline of degree " +
+                          std::to_string(axis.degree) + " is not continuous there");
+    i = last;
+  }
+}
+
+// The distinct knots from end to end of the domain. The multiplicity at the two ends has no meaning here.
+template <class NT>
+std::vector<Break<NT>> breaks_of(const Knot_axis<NT>& axis)
+{
+  std::vector<Break<NT>> result{{axis.begin(), 1}};
+  for (const NT& knot : axis.knots)
+    if (axis.begin() < knot && !(axis.end() < knot)) {
+      if (result.back().value == knot)
+        ++result.back().multiplicity;
+      else
+        result.push_back({knot, 1});
+    }
+  return result;
+}
+
+// The clamped knot vector on breaks.
+template <class NT>
+Knot_axis<NT> clamped(int degree, const std::vector<Break<NT>>& breaks)
+{
+  Knot_axis<NT> result{degree, {}};
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == breaks.size();
+    result.knots.insert(result.knots.end(), is_end ? degree + 1 : breaks[i].multiplicity, breaks[i].value);
+  }
+  return result;
+}
+
+// Breaks of a sum or product of the given degree: at each the smoothness of the less smooth operand.
+template <class NT>
+std::vector<Break<NT>> common_breaks(int degree, const Knot_axis<NT>& a, const Knot_axis<NT>& b)
+{
+  std::vector<Break<NT>> result = breaks_of(a);
+  for (Break<NT>& entry : result)
+    entry.multiplicity += degree - a.degree;
+  for (Break<NT> entry : breaks_of(b)) {
+    entry.multiplicity += degree - b.degree;
+    const auto position = std::lower_bound(result.begin(), result.end(), entry.value, [](const Break<NT>& x, const NT& value) { return x.value < value; });
+    if (position != result.end() && position->value == entry.value)
+      position->multiplicity = (std::max)(position->multiplicity, entry.multiplicity);
+    else
+      result.insert(position, entry);
+  }
+  return result;
+}
+
+// The last non-empty span [t_q, t_{q+1}] of the domain that begins at or before a parameter.
+template <class NT>
+std::size_t span_of(const Knot_axis<NT>& axis, const NT& u)
+{
+  const auto first = axis.knots.begin() + axis.degree, last = axis.knots.begin() + axis.size();
+  // At the right end the span before it; left of the domain the first one.
+  const NT& inside = u < axis.end() ? (u < axis.begin() ? axis.begin() : u) : axis.end();
+  const auto after = inside < axis.end() ? std::upper_bound(first, last, inside) : std::lower_bound(first, last, inside);
+  return static_cast<std::size_t>(after - axis.knots.begin()) - 1;
+}
+
+// The argument of a blossom: a point has weight 1; weight 0 is a direction, which differentiates.
+template <class NT>
+struct Blossom_argument
+{
+  NT value;
+  NT weight = NT(1);
+};
+
+// Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span. `argument(i)` for i < d.
+template <class NT, class Argument>
+std::vector<NT> blossom_weights(const Knot_axis<NT>& axis, std::size_t span, const Argument& argument)
+{
+  std::vector<NT> weights(1, NT(1));
+  for (int level = 1; level <= axis.degree; ++level) {
+    const Blossom_argument<NT> x = argument(level - 1);
+    weights.push_back(NT(0));
+    NT carried(0);
+    for (int r = 0; r < level; ++r) {
+      const NT& right = axis.knots[span + r + 1];
+      const NT& left = axis.knots[span + r + 1 - level];
+      const NT quotient = weights[r] / NT(right - left);
+      weights[r] = carried + NT(NT(x.weight * right) - x.value) * quotient;
+      carried = NT(x.value - NT(x.weight * left)) * quotient;
+    }
+    weights[level] = carried;
+  }
+  return weights;
+}
+
+// The derivative of some order at a parameter, as weights of the control points of a span.
+template <class NT>
+std::vector<NT> derivative_weights(const Knot_axis<NT>& axis, std::size_t span, const NT& u, int order)
+{
+  if (order > axis.degree)
+    return std::vector<NT>(static_cast<std::size_t>(axis.degree) + 1, NT(0));
+  std::vector<NT> weights = blossom_weights(axis, span, [&](int i) {
+    return i < order ? Blossom_argument<NT>{NT(1), NT(0)} : Blossom_argument<NT>{u, NT(1)};
+  });
+  for (int r = 0; r < order; ++r)
+    for (NT& weight : weights)
+      weight *= NT(axis.degree - r);
+  return weights;
+}
+
+// Bézier points of all cells of breaks that are at least as fine as the knots, cell after cell, from the control points.
+template <class NT>
+Row_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
+{
+  auto result = Row_matrix<NT>::band(axis.size(), static_cast<std::size_t>(axis.degree) + 1);
+  for (std::size_t c = 0; c + 1 < breaks.size(); ++c) {
+    const std::size_t span = span_of(axis, breaks[c].value);
+    for (int k = 0; k <= axis.degree; ++k)
+      result.add_row(span - axis.degree, blossom_weights(axis, span, [&](int i) {
+        return Blossom_argument<NT>{i < axis.degree - k ? breaks[c].value : breaks[c + 1].value, NT(1)};
+      }));
+  }
+  return result;
+}
+
+// The span of the domain to compute control point j on: non-empty, and near the middle of the control point's support.
+template <class NT>
+std::size_t central_span(const Knot_axis<NT>& axis, std::size_t j)
+{
+  const std::size_t middle = (std::min)((std::max)(j + axis.degree / 2, static_cast<std::size_t>(axis.degree)), axis.size() - 1);
+  for (std::size_t distance = 0;; ++distance) {
+    if (middle + distance < axis.size() && axis.knots[middle + distance] < axis.knots[middle + distance + 1])
+      return middle + distance;
+    if (middle >= axis.degree + distance && axis.knots[middle - distance] < axis.knots[middle - distance + 1])
+      return middle - distance;
+  }
+}
+
+// Control points on finer knots, or on a part of the domain, from those on `from`.
+template <class NT>
+Row_matrix<NT> refinement_matrix(const Knot_axis<NT>& from, const Knot_axis<NT>& to)
+{
+  auto result = Row_matrix<NT>::band(from.size(), static_cast<std::size_t>(from.degree) + 1);
+  for (std::size_t j = 0; j < to.size(); ++j) {
+    const std::size_t span = span_of(from, to.knots[central_span(to, j)]);
+    result.add_row(span - from.degree, blossom_weights(from, span, [&](int i) { return Blossom_argument<NT>{to.knots[j + 1 + i], NT(1)}; }));
+  }
+  return result;
+}
+
+// Control points on clamped knots from the Bézier points of the cells between the breaks: the inverse of extraction.
+template <class NT>
+Row_matrix<NT> assembly_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
+{
+  const std::size_t order = static_cast<std::size_t>(axis.degree) + 1;
+  auto result = Row_matrix<NT>::band(order * (breaks.size() - 1), order);
+  for (std::size_t j = 0; j < axis.size(); ++j) {
+    const NT& begin = axis.knots[central_span(axis, j)];
+    const auto position = std::lower_bound(breaks.begin(), breaks.end(), begin, [](const Break<NT>& x, const NT& value) { return x.value < value; });
+    const std::size_t cell = static_cast<std::size_t>(position - breaks.begin());
+    const NT length = breaks[cell + 1].value - begin;
+    std::vector<NT> row(order, NT(0));
+    row[0] = NT(1);
+    for (int i = 0; i < axis.degree; ++i) {
+      // Both from their own difference, so that 0 and 1 come out as such.
+      const NT u = NT(axis.knots[j + 1 + i] - begin) / length;
+      const NT v = NT(breaks[cell + 1].value - axis.knots[j + 1 + i]) / length;
+      multiply_by_linear(row.data(), i, v, u);
+    }
+    result.add_row(cell * order, row);
+  }
+  return result;
+}
+
+// Control points of the derivative: differences over the knots they span. Points without influence on the domain get 0.
+template <class NT>
+Row_matrix<NT> derivative_matrix(const Knot_axis<NT>& axis)
+{
+  auto result = Row_matrix<NT>::band(axis.size(), 2);
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
+    const NT length = axis.knots[i + axis.degree + 1] - axis.knots[i + 1];
+    const NT slope = length == NT(0) ? NT(0) : NT(NT(axis.degree) / length);
+    result.add_row(i, {NT(-slope), slope});
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_KNOT_VECTOR_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_BIG_INTEGER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_BIG_INTEGER_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/mpq_access.h>
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Integers for the exact kernels of the solver: GMP's, without expression templates, whichever type stands behind `Exact_rational`.
+*/
+using Big_integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+// The integer whose decimal digits a number prints: for types that do not show their GMP number, while a system is set up.
+template <class Integer>
+Big_integer integer_from_digits(const Integer& value)
+{
+  std::ostringstream digits;
+  digits << value;
+  return Big_integer(digits.str());
+}
+
+template <class Rational>
+Big_integer numerator_of_rational(const Rational& value)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    Big_integer result;
+    mpz_set(result.backend().data(), mpq_numref(mpq_of(value)));
+    return result;
+  } else {
+    typename CGAL::Fraction_traits<Rational>::Numerator_type numerator;
+    typename CGAL::Fraction_traits<Rational>::Denominator_type denominator;
+    typename CGAL::Fraction_traits<Rational>::Decompose()(value, numerator, denominator);
+    return integer_from_digits(numerator);
+  }
+}
+
+template <class Rational>
+Big_integer denominator_of_rational(const Rational& value)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    Big_integer result;
+    mpz_set(result.backend().data(), mpq_denref(mpq_of(value)));
+    return result;
+  } else {
+    typename CGAL::Fraction_traits<Rational>::Numerator_type numerator;
+    typename CGAL::Fraction_traits<Rational>::Denominator_type denominator;
+    typename CGAL::Fraction_traits<Rational>::Decompose()(value, numerator, denominator);
+    return integer_from_digits(denominator);
+  }
+}
+
+// Not templates, so that expression templates convert.
+inline Big_integer numerator_of(const Exact_rational& value) { return numerator_of_rational(value); }
+inline Big_integer denominator_of(const Exact_rational& value) { return denominator_of_rational(value); }
+
+inline void shift_left(Big_integer& value, unsigned long bits)
+{
+  if (bits != 0)
+    mpz_mul_2exp(value.backend().data(), value.backend().data(), bits);
+}
+
+// sum += a b
+inline void add_product(Big_integer& sum, const Big_integer& a, const Big_integer& b)
+{
+  mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
+}
+
+// Number of bits of the absolute value; 0 for 0.
+inline long bit_length(const Big_integer& value)
+{
+  return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.backend().data(), 2));
+}
+
+// value 2^exponent, truncated: relative error below 2^-52, whatever the rounding mode.
+inline double to_scaled_double(const Big_integer& value, long exponent)
+{
+  long own_exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&own_exponent, value.backend().data());
+  const long total = own_exponent + exponent;
+  if (mantissa == 0 || total < -1070)
+    return 0;
+  return std::ldexp(mantissa, total > 1024 ? 2000 : static_cast<int>(total));
+}
+
+inline double approximate(const Big_integer& value) { return to_scaled_double(value, 0); }
+
+// 2^exponent as a rational, by squaring.
+inline Exact_rational power_of_two(long exponent)
+{
+  Exact_rational result(1), square(exponent < 0 ? 0.5 : 2.0);
+  for (unsigned long rest = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent); rest != 0; rest >>= 1) {
+    if (rest & 1)
+      result *= square;
+    square *= square;
+  }
+  return result;
+}
+
+// value 2^exponent, exactly.
+template <class Rational = Exact_rational>
+Rational scaled_rational(const Big_integer& value, long exponent)
+{
+  if constexpr (Writable_as_mpq<Rational>) {
+    Rational result(0);
+    mpq_ptr target = writable_mpq_of(result);
+    mpq_set_z(target, value.backend().data());
+    if (exponent > 0)
+      mpq_mul_2exp(target, target, static_cast<unsigned long>(exponent));
+    else
+      mpq_div_2exp(target, target, static_cast<unsigned long>(-exponent));
+    return result;
+  } else {   // in chunks that are exact as doubles
+    Big_integer rest = abs(value);
+    Rational result(0), weight(1);
+    const Rational chunk_weight(0x1p32);
+    while (rest != 0) {
+      result += weight * Rational(static_cast<double>(mpz_get_ui(rest.backend().data()) & 0xffffffffUL));
+      weight *= chunk_weight;
+      mpz_fdiv_q_2exp(rest.backend().data(), rest.backend().data(), 32);
+    }
+    return (value < 0 ? Rational(-result) : result) * power_of_two(exponent);
+  }
+}
+
+// A dyadic number as mantissa 2^exponent.
+inline std::pair<Big_integer, long> to_dyadic(double value)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  if (mantissa == 0)
+    return {Big_integer(0), 0};
+  long long integer = static_cast<long long>(std::ldexp(mantissa, 53));
+  const int zeros = __builtin_ctzll(static_cast<unsigned long long>(integer));
+  return {Big_integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
+}
+
+// \pre the denominator is a power of two
+inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
+{
+  return {numerator_of(value), 1 - bit_length(denominator_of(value))};
+}
+
+// Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.
+struct Common_dyadic
+{
+  Big_integer begin, width;
+  long exponent;
+};
+
+template <class Coordinate>
+Common_dyadic common_dyadic(const Coordinate& lower, const Coordinate& upper)
+{
+  auto [a, e] = to_dyadic(lower);
+  auto [b, f] = to_dyadic(upper);
+  const long exponent = (std::min)({e, f, 0L});
+  shift_left(a, static_cast<unsigned long>(e - exponent));
+  shift_left(b, static_cast<unsigned long>(f - exponent));
+  return {a, Big_integer(b - a), exponent};
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_NUMBER_BIG_INTEGER_H

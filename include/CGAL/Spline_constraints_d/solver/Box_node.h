@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BOX_NODE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BOX_NODE_H
+
+#include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/solver/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/Local_box.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A place strictly between the ends of a range, near lower + t (upper - lower); `lower` itself when there is none.
+inline double place_between(double lower, double upper, double t)
+{
+  const double c = lower + t * (upper - lower);
+  return lower < c && c < upper ? c : lower;
+}
+
+inline Exact_rational place_between(const Exact_rational& lower, const Exact_rational& upper, double t)
+{
+  return lower + Exact_rational(std::ldexp(std::nearbyint(std::ldexp(t, 12)), -12)) * (upper - lower);
+}
+
+// A coordinate at or below lower + t (upper - lower), for any t in about [-1, 2].
+inline double place_below(double lower, double upper, double t)
+{
+  const double slack = 0x1p-45 * (1 + std::abs(t));
+  return std::nextafter(lower + (t - slack) * (upper - lower), -HUGE_VAL);
+}
+
+inline double place_above(double lower, double upper, double t)
+{
+  const double slack = 0x1p-45 * (1 + std::abs(t));
+  return std::nextafter(lower + (t + slack) * (upper - lower), HUGE_VAL);
+}
+
+inline Exact_rational place_below(const Exact_rational& lower, const Exact_rational& upper, double t)
+{
+  return lower + Exact_rational(std::ldexp(std::floor(std::ldexp(t, 30)) - 1, -30)) * (upper - lower);
+}
+
+inline Exact_rational place_above(const Exact_rational& lower, const Exact_rational& upper, double t)
+{
+  return lower + Exact_rational(std::ldexp(std::ceil(std::ldexp(t, 30)) + 1, -30)) * (upper - lower);
+}
+
+// (c - lower) / (upper - lower) as a number of the solver.
+template <class NT, class Coordinate>
+NT local_parameter(const Coordinate& lower, const Coordinate& upper, const Coordinate& c)
+{
+  if constexpr (std::is_same_v<NT, double>)
+    return (c - lower) / (upper - lower);   // relative error of a few units: part of the bound on a restriction
+  else
+    return Number_traits<NT>::from_rational((Exact_rational(c) - Exact_rational(lower)) /
+                                            (Exact_rational(upper) - Exact_rational(lower)));
+}
+
+template <class NT>
+bool is_one_half(const NT& parameter)
+{
+  if constexpr (std::is_same_v<NT, double>)
+    return parameter == 0.5;
+  else {
+    const auto enclosure = Number_traits<NT>::enclosure(parameter);
+    return enclosure.inf() == 0.5 && enclosure.sup() == 0.5;
+  }
+}
+
+/*
+A box of the subdivision with the Bernstein coefficients of all functions on exactly this box. Doubles carry a bound on their error per block and function
+(unpadded doubles lose roots); other number types carry their error themselves.
+*/
+template <class NT>
+struct Box_node
+{
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+
+  std::vector<NT> coefficients;
+  std::vector<double> errors;
+  std::vector<double> sizes;   // per block and function: a bound on |coefficient|, doubles only
+  std::vector<long> scale;     // per function: the coefficients are those of the function times 2^-scale
+  std::vector<Coordinate> lower, upper;
+
+  void allocate(const System_layout& layout)
+  {
+    coefficients.resize(layout.size);
+    errors.assign(layout.errors, 0);
+    sizes.assign(layout.errors, 0);
+    scale.assign(layout.functions, 0);
+    lower.resize(layout.dimension);
+    upper.resize(layout.dimension);
+  }
+
+  // Whether an axis still has a coordinate between its ends.
+  bool can_split(int axis) const { return place_between(lower[axis], upper[axis], 0.5) != lower[axis]; }
+
+  // Keeps the lower part and writes the upper part to another node.
+  void split(const System_layout& layout, int axis, double t, Box_node& above);
+
+  // Shrinks (or slightly enlarges) the box to a part given in local coordinates, rounded outwards.
+  // Axes that would lose less than `least_gain` of their width are left alone.
+  void restrict_to(const System_layout& layout, const Local_box& part, double least_gain);
+
+  void restrict_axis(const System_layout& layout, int axis, const Coordinate& new_lower, const Coordinate& new_upper);
+
+  void copy_from(const Box_node& other)
+  {
+    std::copy(other.coefficients.begin(), other.coefficients.end(), coefficients.begin());
+    std::copy(other.errors.begin(), other.errors.end(), errors.begin());
+    std::copy(other.sizes.begin(), other.sizes.end(), sizes.begin());
+    std::copy(other.scale.begin(), other.scale.end(), scale.begin());
+    std::copy(other.lower.begin(), other.lower.end(), lower.begin());
+    std::copy(other.upper.begin(), other.upper.end(), upper.begin());
+  }
+
+private:
+  // Adds what a de Casteljau scheme of a degree may add to the error, see the manual (rounding): `growth` is 1 inside the box.
+  void add_error(const Block& block, int degree, double growth)
+  {
+    const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40);
+    for (std::size_t m = 0; m < block.functions.size(); ++m) {
+      double& error = errors[block.first_error + m];
+      double& size = sizes[block.first_error + m];
+      size *= power;
+      error = error * power + 16 * degree * 0x1p-52 * (size + error * power);
+    }
+  }
+};
+
+template <class NT>
+void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_node& above)
+{
+  const Coordinate cut = place_between(lower[axis], upper[axis], t);
+  const NT parameter = local_parameter<NT>(lower[axis], upper[axis], cut);
+  std::copy(lower.begin(), lower.end(), above.lower.begin());
+  std::copy(upper.begin(), upper.end(), above.upper.begin());
+  upper[axis] = cut;
+  above.lower[axis] = cut;
+
+  std::size_t next = 0;   // blocks without this axis are copied
+  const auto& affected = layout.blocks_of_axis[axis];
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+    const Block& block = layout.blocks[b];
+    NT* data = coefficients.data() + block.offset;
+    NT* after = above.coefficients.data() + block.offset;
+    if (next < affected.size() && affected[next].block == b) {
+      const Axis_view& view = affected[next++].view;
+      if (is_one_half(parameter))
+        split_at_one_half(data, after, view);
+      else
+        split_at(data, after, view, parameter);
+      if constexpr (std::is_same_v<NT, double>)
+        add_error(block, view.degree, 1);
+    } else
+      std::copy(data, data + block.size(), after);
+  }
+  std::copy(errors.begin(), errors.end(), above.errors.begin());
+  std::copy(sizes.begin(), sizes.end(), above.sizes.begin());
+  std::copy(scale.begin(), scale.end(), above.scale.begin());
+}
+
+template <class NT>
+void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Coordinate& new_lower, const Coordinate& new_upper)
+{
+  const bool cuts_before = new_lower != lower[axis], cuts_after = new_upper != upper[axis];
+  if (!cuts_before && !cuts_after)
+    return;
+  const NT t0 = local_parameter<NT>(lower[axis], upper[axis], new_lower);
+  const NT inner_t = local_parameter<NT>(new_lower, upper[axis], new_upper);
+  double growth = 1;
+  if constexpr (std::is_same_v<NT, double>) {
+    const double t1 = local_parameter<NT>(lower[axis], upper[axis], new_upper);
+    const double first = t0 < 0 ? 1 - 2 * t0 : 1, second = inner_t > 1 ? 2 * inner_t - 1 : 1;
+    growth = t0 >= 0 && t1 <= 1 ? 1 : first * second * (1 + 0x1p-40);
+  }
+  for (const Block_axis& affected : layout.blocks_of_axis[axis]) {
+    const Block& block = layout.blocks[affected.block];
+    internal::restrict_to(coefficients.data() + block.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
+    if constexpr (std::is_same_v<NT, double>)
+      add_error(block, affected.view.degree, growth);
+  }
+  lower[axis] = new_lower;
+  upper[axis] = new_upper;
+}
+
+template <class NT>
+void Box_node<NT>::restrict_to(const System_layout& layout, const Local_box& part, double least_gain)
+{
+  for (int j = 0; j < layout.dimension; ++j) {
+    if (part.lower[j] >= -0.5 && part.upper[j] <= 0.5 && part.width(j) > 1 - least_gain)
+      continue;
+    Coordinate new_lower = part.lower[j] == -0.5 ? lower[j] : place_below(lower[j], upper[j], part.lower[j] + 0.5);
+    Coordinate new_upper = part.upper[j] == 0.5 ? upper[j] : place_above(lower[j], upper[j], part.upper[j] + 0.5);
+    if (part.lower[j] >= -0.5)
+      new_lower = (std::max)(new_lower, lower[j]);
+    if (part.upper[j] <= 0.5)
+      new_upper = (std::min)(new_upper, upper[j]);
+    restrict_axis(layout, j, new_lower, new_upper);
+  }
+}
+
+/*
+What the analysis sees of a node: for doubles the node itself, else the coefficients rounded to double, with the rounding as the error bound.
+*/
+template <class NT>
+class Lowered_node
+{
+  std::vector<double> m_coefficients, m_errors;
+
+public:
+  void lower(const System_layout& layout, const Box_node<NT>& node, Node_view& view)
+  {
+    if constexpr (std::is_same_v<NT, double>)
+      view.reset(node.coefficients.data(), node.errors.data());
+    else {
+      m_coefficients.resize(layout.size);
+      m_errors.assign(layout.errors, 0);
+      for (const Block& block : layout.blocks)
+        for (std::size_t i = 0; i < block.size(); ++i) {
+          const auto interval = Number_traits<NT>::enclosure(node.coefficients[block.offset + i]);
+          const double middle = 0.5 * (interval.inf() + interval.sup());
+          m_coefficients[block.offset + i] = middle;
+          double& error = m_errors[block.first_error + i % block.functions.size()];
+          error = (std::max)(error, 0.5 * (interval.sup() - interval.inf()) * (1 + 0x1p-50) + 0x1p-51 * std::abs(middle));
+        }
+      view.reset(m_coefficients.data(), m_errors.data());
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BOX_NODE_H

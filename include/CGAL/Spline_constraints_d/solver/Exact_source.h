@@ -1,0 +1,340 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H
+
+#include <CGAL/Spline_constraints_d/number/Big_integer.h>
+#include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/solver/System_layout.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A cell of the grid that the breaks of all splines cut the domain into: an index per unknown.
+using Cell = std::vector<int>;
+
+/*
+The functions of a system as integer polynomials, one set per cell, and what the solver asks of them exactly: the Bernstein
+coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding happens once, at the end.
+
+Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. Not shared between
+threads: the scratch numbers live here.
+*/
+class Exact_source
+{
+  struct Term
+  {
+    std::size_t block;
+    std::size_t member;                            // place of the function in the block
+    std::vector<std::vector<int>> cell_of;         // per axis: cell of the system -> cell of the term
+    std::vector<std::size_t> cells;                // per axis
+    std::vector<std::vector<Big_integer>> pieces;  // padded to the degrees of the block
+  };
+
+  const System_layout& m_layout;
+  std::vector<std::vector<Exact_rational>> m_breaks;   // per unknown, empty where no spline has any
+  std::vector<Term> m_terms;
+  std::vector<std::vector<std::vector<Big_integer>>> m_weights;   // per block and axis: lcm_i C(d,i) / C(d,i)
+  std::vector<Big_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
+  std::vector<Big_integer> m_values, m_work;
+  Cell m_cell;
+
+public:
+  Exact_source(const Constraint_system_d& system, const System_layout& layout)
+    : m_layout(layout), m_breaks(layout.dimension)
+  {
+    collect_breaks(system);
+    for (int f = 0; f < layout.functions; ++f)
+      add_function(function_of(system, f), f);
+    prepare_binomials();
+    m_values.resize(layout.size);
+  }
+
+  // Breaks of all splines on an unknown, within its domain; empty when there are none.
+  const std::vector<Exact_rational>& breaks(int unknown) const { return m_breaks[unknown]; }
+
+  // The cell that holds a point; beyond the domain the nearest one.
+  template <class Coordinate>
+  const Cell& cell_of(std::span<const Coordinate> point)
+  {
+    m_cell.assign(m_layout.dimension, 0);
+    for (int v = 0; v < m_layout.dimension; ++v)
+      if (m_breaks[v].size() > 2) {
+        const auto next = std::upper_bound(m_breaks[v].begin() + 1, m_breaks[v].end() - 1, Exact_rational(point[v]));
+        m_cell[v] = static_cast<int>(next - m_breaks[v].begin()) - 1;
+      }
+    return m_cell;
+  }
+
+  // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by 2^-scale[f] such that the largest lies
+  // in [1/2, 1), and a bound on the rounding error per block and function.
+  template <class NT, class Coordinate>
+  void bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper,
+                              NT* coefficients, double* errors, std::vector<long>& scale);
+
+  // The value of every function at a point: sign and leading bits exact up to a relative error of 2^-51; value = mantissa 2^exponent.
+  struct Value
+  {
+    double mantissa;
+    long exponent;
+  };
+  template <class Coordinate>
+  void evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values);
+
+private:
+  void collect_breaks(const Constraint_system_d& system);
+  void add_function(const Spline_function& function, int index);
+  void prepare_binomials();
+
+  const std::vector<Big_integer>& piece(const Term& term, const Cell& cell) const
+  {
+    std::size_t index = 0;
+    const std::vector<int>& axes = m_layout.blocks[term.block].axes;
+    for (std::size_t j = 0; j < axes.size(); ++j)
+      index = index * term.cells[j] + (term.cell_of[j].empty() ? 0 : term.cell_of[j][cell[axes[j]]]);
+    return term.pieces[index];
+  }
+};
+
+inline void Exact_source::collect_breaks(const Constraint_system_d& system)
+{
+  for (int f = 0; f < m_layout.functions; ++f)
+    for (const Spline_term& term : function_of(system, f).terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j)
+        m_breaks[term.variables[j]].insert(m_breaks[term.variables[j]].end(), term.breaks[j].begin(), term.breaks[j].end());
+  for (int v = 0; v < m_layout.dimension; ++v) {
+    std::vector<Exact_rational>& breaks = m_breaks[v];
+    if (breaks.empty())
+      continue;
+    const Exact_rational &lower = system.domain(v).first, &upper = system.domain(v).second;
+    std::erase_if(breaks, [&](const Exact_rational& b) { return b <= lower || upper <= b; });
+    breaks.push_back(lower);
+    breaks.push_back(upper);
+    std::sort(breaks.begin(), breaks.end());
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    if (breaks.size() == 1)
+      breaks.push_back(breaks.front());   // a domain that is one point
+  }
+}
+
+inline void Exact_source::add_function(const Spline_function& function, int index)
+{
+  Big_integer denominator(1);
+  for (const Spline_term& term : function.terms())
+    for (const auto& coefficients : term.pieces)
+      for (const Exact_rational& coefficient : coefficients)
+        denominator = lcm(denominator, denominator_of(coefficient));
+
+  for (const Spline_term& term : function.terms()) {
+    Term result;
+    for (result.block = 0;; ++result.block) {
+      const Block& block = m_layout.blocks[result.block];
+      const auto member = std::find(block.functions.begin(), block.functions.end(), index);
+      if (block.axes == term.variables && member != block.functions.end()) {
+        result.member = member - block.functions.begin();
+        break;
+      }
+    }
+    const Block& block = m_layout.blocks[result.block];
+    for (std::size_t j = 0; j < term.variables.size(); ++j) {
+      result.cells.push_back(term.cells(j));
+      std::vector<int>& cell_of = result.cell_of.emplace_back();
+      const std::vector<Exact_rational>& breaks = m_breaks[term.variables[j]];
+      if (!term.breaks[j].empty())
+        for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+          const auto next = std::upper_bound(term.breaks[j].begin(), term.breaks[j].end(), breaks[k]);
+          const int local = static_cast<int>(next - term.breaks[j].begin()) - 1;
+          cell_of.push_back((std::min)(local, static_cast<int>(term.cells(j)) - 1));
+        }
+    }
+    for (const auto& coefficients : term.pieces) {
+      std::vector<Big_integer>& padded = result.pieces.emplace_back(block.points, Big_integer(0));
+      std::vector<int> k(term.degrees.size(), 0);
+      for (const Exact_rational& coefficient : coefficients) {
+        std::size_t position = 0;
+        for (std::size_t j = 0; j < k.size(); ++j)
+          position = position * (static_cast<std::size_t>(block.degrees[j]) + 1) + k[j];
+        padded[position] = numerator_of(coefficient) * (denominator / denominator_of(coefficient));
+        for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
+          k[j] = 0;
+      }
+    }
+    m_terms.push_back(std::move(result));
+  }
+}
+
+inline void Exact_source::prepare_binomials()
+{
+  for (const Block& block : m_layout.blocks) {
+    auto& weights = m_weights.emplace_back();
+    Big_integer product(1);
+    for (int degree : block.degrees) {
+      std::vector<Big_integer> binomial(1, Big_integer(1));
+      Big_integer common(1);
+      for (int i = 1; i <= degree; ++i) {
+        binomial.push_back(Big_integer(binomial.back() * (degree - i + 1) / i));
+        common = lcm(common, binomial.back());
+      }
+      for (Big_integer& b : binomial)
+        b = common / b;
+      weights.push_back(std::move(binomial));
+      product *= common;
+    }
+    m_denominators.push_back(product);
+  }
+}
+
+template <class NT, class Coordinate>
+void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower,
+                                          std::span<const Coordinate> upper, NT* coefficients, double* errors,
+                                          std::vector<long>& scale)
+{
+  for (Big_integer& value : m_values)
+    value = 0;
+  for (const Term& term : m_terms) {
+    const Block& block = m_layout.blocks[term.block];
+    const std::vector<Big_integer>& source = piece(term, cell);
+    for (std::size_t p = 0; p < block.points; ++p)
+      m_values[block.offset + p * block.functions.size() + term.member] += source[p];
+  }
+
+  // Along each axis: x = begin + width t in integers, p(x) -> sum_i p_i t^i, then sums of binomially weighted coefficients.
+  std::vector<long> exponents(m_layout.blocks.size(), 0);
+  std::vector<Big_integer> powers;
+  for (int v = 0; v < m_layout.dimension; ++v) {
+    const auto [begin, width, exponent] = common_dyadic(lower[v], upper[v]);
+    for (const Block_axis& axis : m_layout.blocks_of_axis[v]) {
+      const Block& block = m_layout.blocks[axis.block];
+      const int degree = axis.view.degree;
+      const std::size_t inner = axis.view.inner;
+      powers = m_weights[axis.block][axis.position];
+      Big_integer power(1);
+      for (int k = 0; k <= degree; ++k) {
+        powers[k] *= power;
+        power *= width;
+      }
+      const std::size_t line = inner * (degree + 1);
+      for (std::size_t o = 0; o < axis.view.outer; ++o)
+        for (std::size_t i = 0; i < inner; ++i) {
+          Big_integer* a = m_values.data() + block.offset + o * line + i;
+          if (exponent < 0)
+            for (int k = 0; k < degree; ++k)
+              shift_left(a[inner * k], static_cast<unsigned long>(-exponent) * (degree - k));
+          for (int r = 0; r < degree; ++r)
+            for (int k = degree - 1; k >= r; --k)
+              add_product(a[inner * k], begin, a[inner * (k + 1)]);
+          for (int k = 0; k <= degree; ++k)
+            a[inner * k] *= powers[k];
+          for (int r = 1; r <= degree; ++r)
+            for (int k = degree; k >= r; --k)
+              a[inner * k] += a[inner * (k - 1)];
+        }
+      if (exponent < 0)
+        exponents[axis.block] += exponent * degree;
+    }
+  }
+
+  // One scale per function, then the only rounding.
+  std::vector<long>& largest = scale;
+  largest.assign(m_layout.functions, (std::numeric_limits<long>::min)());
+  for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
+    const Block& block = m_layout.blocks[b];
+    const long shift = exponents[b] - bit_length(m_denominators[b]) + 1;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const Big_integer& value = m_values[block.offset + i];
+      long& most = largest[block.functions[i % block.functions.size()]];
+      if (value != 0)
+        most = (std::max)(most, static_cast<long>(bit_length(value)) + shift);
+    }
+  }
+  for (long& s : largest)
+    if (s == (std::numeric_limits<long>::min)())
+      s = 0;
+  for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
+    const Block& block = m_layout.blocks[b];
+    const std::size_t members = block.functions.size();
+    const double denominator = approximate(m_denominators[b]);
+    for (std::size_t m = 0; m < members; ++m)
+      errors[block.first_error + m] = 0;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const std::size_t m = i % members;
+      const long shift = exponents[b] - scale[block.functions[m]];
+      const Big_integer& value = m_values[block.offset + i];
+      if constexpr (std::is_same_v<NT, double>) {
+        const double rounded = to_scaled_double(value, shift) / denominator;
+        coefficients[block.offset + i] = rounded;
+        double& error = errors[block.first_error + m];
+        error = (std::max)(error, std::abs(rounded));
+      } else {
+        coefficients[block.offset + i] = Number_traits<NT>::from_rational(
+          scaled_rational(value, shift) / scaled_rational(m_denominators[b], 0));
+      }
+    }
+    for (std::size_t m = 0; m < members; ++m)
+      errors[block.first_error + m] *= 0x1p-50;   // truncation, rounding of the denominator and the division: 3 x 2^-52
+    for (std::size_t m = 0; m < members && std::is_same_v<NT, double>; ++m)
+      errors[block.first_error + m] += 0x1p-1000; // and what underflows
+  }
+}
+
+template <class Coordinate>
+void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
+{
+  // Sums of terms with different powers of two are brought to the smallest one, exactly.
+  std::vector<std::pair<Big_integer, long>> sums(m_layout.functions, {Big_integer(0), 0});
+  for (const Term& term : m_terms) {
+    const Block& block = m_layout.blocks[term.block];
+    m_work = piece(term, cell);
+    std::size_t points = block.points;
+    long exponent = 0;
+    for (std::size_t j = block.axes.size(); j-- > 0;) {   // Horner along the last axis that is left
+      auto [x, e] = to_dyadic(point[block.axes[j]]);
+      if (e > 0) {
+        shift_left(x, static_cast<unsigned long>(e));
+        e = 0;
+      }
+      const int degree = block.degrees[j];
+      points /= degree + 1;
+      for (std::size_t p = 0; p < points; ++p) {
+        Big_integer* a = m_work.data() + p * (degree + 1);
+        Big_integer sum = a[degree];
+        for (int k = degree - 1; k >= 0; --k) {
+          sum *= x;
+          if (a[k] != 0) {
+            shift_left(a[k], static_cast<unsigned long>(-e) * (degree - k));
+            sum += a[k];
+          }
+        }
+        m_work[p] = sum;
+      }
+      exponent += e * degree;
+    }
+    auto& [sum, sum_exponent] = sums[block.functions[term.member]];
+    if (exponent < sum_exponent) {
+      shift_left(sum, static_cast<unsigned long>(sum_exponent - exponent));
+      sum_exponent = exponent;
+    } else
+      shift_left(m_work[0], static_cast<unsigned long>(exponent - sum_exponent));
+    sum += m_work[0];
+  }
+  values.resize(m_layout.functions);
+  for (int f = 0; f < m_layout.functions; ++f) {
+    long bits = bit_length(sums[f].first);
+    values[f] = {to_scaled_double(sums[f].first, -bits), sums[f].second + bits};
+  }
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H

@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LINEAR_ENCLOSURE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LINEAR_ENCLOSURE_H
+
+#include <CGAL/Spline_constraints_d/solver/Local_box.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+The equalities of a node as linear equations with interval right-hand sides, and their preconditioned form.
+
+Every solution s of the node satisfies A s + g = 0 for some g in [lower, upper]. A sparse system is never expanded for it: A is read off the
+affine enclosures. With C an approximate inverse of A on those equations and unknowns where it pays, (C A) s + C g = 0 holds as well, and
+where C A is close to the identity each row bounds one unknown. Products are \f$O(m^2 n)\f$, no tensor is formed.
+*/
+class Linear_enclosure
+{
+  int m_dimension, m_equations;
+  std::vector<double> m_inverse;                         // C: equations x equations
+  std::vector<double> m_work;                            // A, eliminated
+  std::vector<double> m_radius;                          // of the right-hand sides, carried through the elimination
+  std::vector<int> m_pivot_of_row;                       // unknown that a row was solved for, or -1
+  std::vector<char> m_is_pivot;
+  std::vector<double> m_product, m_lower, m_upper;       // C A and C g
+  std::vector<double> m_centre, m_reach;                 // per unknown: its row's bound, centre and half width
+  std::vector<double> m_scale;
+  int m_rank = 0;
+
+public:
+  Linear_enclosure(int dimension, int equations)
+    : m_dimension(dimension), m_equations(equations), m_inverse(equations * equations), m_work(equations * dimension),
+      m_radius(equations), m_pivot_of_row(equations), m_is_pivot(dimension), m_product(equations * dimension),
+      m_lower(equations), m_upper(equations), m_centre(dimension), m_reach(dimension), m_scale(equations)
+  {}
+
+  //! contracts the box by each equation as it stands; false when no solution is left.
+  bool contract_by_equations(Node_view& node, Local_box& box) const
+  {
+    for (int i = 0; i < m_equations; ++i)
+      if (!contract_by_row(node.slopes(i), node.rest_lower(i), node.rest_upper(i), box))
+        return false;
+    return true;
+  }
+
+  //! forms the preconditioned rows.
+  void precondition(Node_view& node);
+
+  //! contracts the box by the preconditioned rows; false when no solution is left.
+  bool contract_by_preconditioned(Local_box& box) const
+  {
+    for (int i = 0; i < m_equations; ++i)
+      if (!contract_by_row(m_product.data() + i * m_dimension, m_lower[i], m_upper[i], box))
+        return false;
+    return true;
+  }
+
+  //! number of unknowns.
+  int dimension() const { return m_dimension; }
+
+  //! every unknown has a row of its own: C is an approximate inverse.
+  bool is_square() const { return m_rank == m_dimension && m_rank == m_equations; }
+
+  //! the image of the whole node under s -> s - C f(s): all solutions of the node lie in [centre - reach, centre + reach] on each axis.
+  //! Only for a square system.
+  double centre(int j) const { return m_centre[j]; }
+  double reach(int j) const { return m_reach[j]; }
+
+  //! row of C for the unknown j: f_j' = sum_k inverse(j, k) f_k is close to s_j.
+  const double* inverse_row(int j) const { return m_inverse.data() + m_row_of[j] * m_equations; }
+
+  //! the errors of the functions make up a good part of the width of some preconditioned row.
+  bool is_blurred_by(const std::vector<double>& errors) const
+  {
+    for (int i = 0; i < m_equations; ++i) {
+      double error = 0;
+      for (int k = 0; k < m_equations; ++k)
+        error += std::abs(m_inverse[i * m_equations + k]) * errors[k];
+      if (8 * error > m_upper[i] - m_lower[i])
+        return true;
+    }
+    return false;
+  }
+
+private:
+  std::vector<int> m_row_of = std::vector<int>(m_dimension, 0);
+
+  void eliminate(Node_view& node);
+  void multiply(Node_view& node);
+  void bound_unknowns();
+  bool contract_by_row(const double* row, double lower, double upper, Local_box& box) const;
+};
+
+// 0 = row s + [lower, upper]: each unknown lies in what the others leave it.
+inline bool Linear_enclosure::contract_by_row(const double* row, double lower, double upper, Local_box& box) const
+{
+  double sum_lower = lower, sum_upper = upper, size = (std::max)(std::abs(lower), std::abs(upper));
+  for (int k = 0; k < m_dimension; ++k) {
+    const double a = row[k];
+    if (a == 0)
+      continue;
+    const double u = a * box.lower[k], v = a * box.upper[k];
+    sum_lower += (std::min)(u, v);
+    sum_upper += (std::max)(u, v);
+    size += std::abs(a);
+  }
+  const double error = internal::analysis_error * size;
+  sum_lower -= error;
+  sum_upper += error;
+  if (sum_lower > 0 || sum_upper < 0)
+    return false;
+  for (int k = 0; k < m_dimension; ++k) {
+    const double a = row[k];
+    if (std::abs(a) * 0x1p30 < size)
+      continue;
+    // a s_k in -[sum without its own part]; taking the part out again doubles the rounding error at most
+    const double u = a * box.lower[k], v = a * box.upper[k];
+    const double rest_lower = sum_lower - (std::min)(u, v) - error, rest_upper = sum_upper - (std::max)(u, v) + error;
+    double lo = -rest_upper / a, hi = -rest_lower / a;
+    if (a < 0)
+      std::swap(lo, hi);
+    const double slack = internal::analysis_error * (std::max)(std::abs(lo), std::abs(hi));
+    if (!box.intersect(k, lo - slack, hi + slack))
+      return false;
+  }
+  return true;
+}
+
+inline void Linear_enclosure::precondition(Node_view& node)
+{
+  eliminate(node);
+  multiply(node);
+  if (is_square())
+    bound_unknowns();
+}
+
+// Gauss-Jordan with full pivoting, rows weighed by what they can still contract: a row whose interval part is larger than half its pivot bounds nothing and would
+// only blur the others, so elimination stops there (in a huge box the linear equations are solved and the rest waits).
+inline void Linear_enclosure::eliminate(Node_view& node)
+{
+  const int n = m_dimension, m = m_equations;
+  std::fill(m_inverse.begin(), m_inverse.end(), 0.0);
+  std::fill(m_is_pivot.begin(), m_is_pivot.end(), 0);
+  m_rank = 0;
+  for (int i = 0; i < m; ++i) {
+    const double* slopes = node.slopes(i);
+    double size = 0;
+    for (int k = 0; k < n; ++k) {
+      m_work[i * n + k] = slopes[k];
+      size += std::abs(slopes[k]);
+    }
+    m_radius[i] = 0.5 * (node.rest_upper(i) - node.rest_lower(i));
+    const double total = size + 2 * m_radius[i];
+    m_scale[i] = total > 0 ? 1 / total : 0;
+    m_inverse[i * m + i] = 1;
+    m_pivot_of_row[i] = -1;
+  }
+  for (int step = 0; step < (std::min)(m, n); ++step) {
+    int pivot_row = -1, pivot = -1;
+    double best = 1e-12;
+    for (int i = 0; i < m; ++i)
+      if (m_pivot_of_row[i] < 0)
+        for (int k = 0; k < n; ++k)
+          if (!m_is_pivot[k]) {
+            const double a = std::abs(m_work[i * n + k]);
+            if (a * m_scale[i] > best && 2 * m_radius[i] < a) {
+              best = a * m_scale[i];
+              pivot_row = i;
+              pivot = k;
+            }
+          }
+    if (pivot_row < 0)
+      break;
+    ++m_rank;
+    m_pivot_of_row[pivot_row] = pivot;
+    m_row_of[pivot] = pivot_row;
+    m_is_pivot[pivot] = 1;
+    double* row = m_work.data() + pivot_row * n;
+    double* inverse = m_inverse.data() + pivot_row * m;
+    const double factor = 1 / row[pivot];
+    for (int k = 0; k < n; ++k)
+      row[k] *= factor;
+    for (int k = 0; k < m; ++k)
+      inverse[k] *= factor;
+    m_radius[pivot_row] *= std::abs(factor);
+    for (int i = 0; i < m; ++i) {
+      const double a = m_work[i * n + pivot];
+      if (i == pivot_row || a == 0)
+        continue;
+      for (int k = 0; k < n; ++k)
+        m_work[i * n + k] -= a * row[k];
+      for (int k = 0; k < m; ++k)
+        m_inverse[i * m + k] -= a * inverse[k];
+      m_radius[i] += std::abs(a) * m_radius[pivot_row];
+    }
+  }
+}
+
+// C A and C g with their rounding errors, from the original rows: elimination may be as inaccurate as it likes.
+inline void Linear_enclosure::multiply(Node_view& node)
+{
+  const int n = m_dimension, m = m_equations;
+  for (int i = 0; i < m; ++i) {
+    double* product = m_product.data() + i * n;
+    std::fill_n(product, n, 0.0);
+    double middle = 0, radius = 0, size = 0;
+    for (int k = 0; k < m; ++k) {
+      const double c = m_inverse[i * m + k];
+      if (c == 0)
+        continue;
+      const double* slopes = node.slopes(k);
+      const double lo = node.rest_lower(k), hi = node.rest_upper(k);
+      double row_size = (std::max)(std::abs(lo), std::abs(hi));
+      for (int j = 0; j < n; ++j) {
+        product[j] += c * slopes[j];
+        row_size += std::abs(slopes[j]);
+      }
+      middle += c * (0.5 * (lo + hi));
+      radius += std::abs(c) * (0.5 * (hi - lo));
+      size += std::abs(c) * row_size;
+    }
+    radius += internal::analysis_error * size;   // also covers the rounding of the products, as |s| <= 1/2
+    m_lower[i] = middle - radius;
+    m_upper[i] = middle + radius;
+  }
+}
+
+inline void Linear_enclosure::bound_unknowns()
+{
+  for (int i = 0; i < m_equations; ++i) {
+    const int pivot = m_pivot_of_row[i];
+    const double* row = m_product.data() + i * m_dimension;
+    double reach = 0.5 * (m_upper[i] - m_lower[i]), size = (std::max)(std::abs(m_lower[i]), std::abs(m_upper[i]));
+    for (int k = 0; k < m_dimension; ++k)
+      if (k != pivot)
+        reach += 0.5 * std::abs(row[k]);
+    const double own = row[pivot];
+    m_centre[pivot] = -0.5 * (m_lower[i] + m_upper[i]) / own;
+    m_reach[pivot] = reach / std::abs(own) + internal::analysis_error * (size + reach) / std::abs(own);
+  }
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LINEAR_ENCLOSURE_H

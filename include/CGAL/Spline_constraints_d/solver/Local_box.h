@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LOCAL_BOX_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LOCAL_BOX_H
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+A part of a node's box in the node's own coordinates, where the node is \f$[-1/2,1/2]^n\f$.
+*/
+struct Local_box
+{
+  std::vector<double> lower, upper;
+
+  //! the whole node.
+  void reset(int dimension)
+  {
+    lower.assign(dimension, -0.5);
+    upper.assign(dimension, 0.5);
+  }
+
+  int dimension() const { return static_cast<int>(lower.size()); }
+  double width(int j) const { return upper[j] - lower[j]; }
+
+  //! keeps what lies in `[lo, hi]` on axis `j`; returns whether anything is left.
+  bool intersect(int j, double lo, double hi)
+  {
+    lower[j] = (std::max)(lower[j], lo);
+    upper[j] = (std::min)(upper[j], hi);
+    return lower[j] <= upper[j];
+  }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LOCAL_BOX_H

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_COLLECTION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_COLLECTION_H
+
+#include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Root_position.h>
+#include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+
+#include <chrono>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A root that was found: its tight enclosure, and a region around it that holds no other root of the equalities.
+template <class Coordinate>
+struct Found_root
+{
+  Root_enclosure<Coordinate> enclosure;
+  std::vector<Coordinate> lower, upper;   // the region
+  Position position;
+};
+
+/*
+The regular roots found so far, each once: a root on a face that several boxes share is found from each of them. Two finds are the same root when the
+enclosure of one lies in the region of the other; no tolerance is involved.
+*/
+template <class NT>
+class Root_collection
+{
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+
+  Exact_source& m_source;
+  Root_refinement<Coordinate> m_refinement;
+  Root_position<NT> m_position;
+  Certified_region<Coordinate> m_region;
+  std::vector<Coordinate> m_first_lower, m_first_upper;
+  std::vector<Found_root<Coordinate>> m_roots;
+  int m_precision;
+  double m_seconds = 0;
+
+public:
+  Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision)
+    : m_source(source), m_refinement(layout, source), m_position(system, layout, source), m_precision(precision)
+  {}
+
+  const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
+  double seconds() const { return m_seconds; }
+
+  // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
+  void set_region(const Box_node<NT>& node, const Linear_enclosure& linear, double contraction, bool is_first)
+  {
+    const int n = linear.dimension();
+    m_region.lower = node.lower;
+    m_region.upper = node.upper;
+    m_region.scale = node.scale;
+    m_region.contraction = contraction;
+    m_region.inverse.clear();
+    for (int j = 0; j < n; ++j)
+      m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + n);
+    if (is_first) {
+      m_first_lower = node.lower;
+      m_first_upper = node.upper;
+    }
+  }
+
+  // Refines the root of the region and keeps it unless it is known; true always.
+  bool add()
+  {
+    const auto start = std::chrono::steady_clock::now();
+    Root_enclosure<Coordinate> enclosure = m_refinement.refine(m_region, m_precision);
+    if (!is_covered(enclosure.lower, enclosure.upper) && !covers_known_root(enclosure)) {
+      const Position position = m_position.decide(m_region, enclosure);
+      m_roots.push_back({std::move(enclosure), m_first_lower, m_first_upper, position});
+    }
+    m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return true;
+  }
+
+  // The box lies in the region of a known root.
+  bool is_covered(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper) const
+  {
+    for (const auto& root : m_roots)
+      if (contains(root.lower, root.upper, lower, upper))
+        return true;
+    return false;
+  }
+
+private:
+  static bool contains(const std::vector<Coordinate>& outer_lower, const std::vector<Coordinate>& outer_upper,
+                       const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
+  {
+    for (std::size_t j = 0; j < lower.size(); ++j)
+      if (lower[j] < outer_lower[j] || outer_upper[j] < upper[j])
+        return false;
+    return true;
+  }
+
+  // The region of the new root holds the enclosure of a known one, which then is the same.
+  bool covers_known_root(const Root_enclosure<Coordinate>& enclosure) const
+  {
+    for (const auto& root : m_roots) {
+      bool meets = true;
+      for (std::size_t j = 0; j < enclosure.lower.size() && meets; ++j)
+        meets = enclosure.lower[j] <= root.enclosure.upper[j] && root.enclosure.lower[j] <= enclosure.upper[j];
+      if (meets && contains(m_first_lower, m_first_upper, root.enclosure.lower, root.enclosure.upper))
+        return true;
+    }
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_COLLECTION_H

@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_SET_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_SET_D_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+What is proved of the box of a solution.
+*/
+enum class Solution_kind {
+  CERTIFIED,   ///< exactly one solution of the equalities, and it is regular, in the domain, and satisfies all inequalities
+  CLUSTER,     ///< at least one solution, not regular or not told apart from others; no solution elsewhere near the box
+  CONTINUUM,   ///< solutions of positive dimension
+  UNDECIDED    ///< may hold solutions; `Solution_d::reason()` says what stopped the solver
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+Why a box is `UNDECIDED`.
+*/
+enum class Undecided_reason {
+  NONE,        ///< the box is decided
+  TOLERANCE,   ///< the box is smaller than the tolerance, or cannot be split any more in its coordinate type
+  CONTINUUM,   ///< the number of boxes grows as it does around a continuum of solutions, which is not proved
+  TIME,        ///< the time limit was reached
+  NODES,       ///< the node limit was reached
+  STOPPED,     ///< the visitor stopped the solver
+  DOMAIN_BOUNDARY,   ///< one regular solution of the equalities, on or next to the boundary of the domain: inside or outside is not decided
+  INEQUALITY         ///< one regular solution of the equalities, on or next to the boundary of an inequality: not decided
+};
+
+inline std::ostream& operator<<(std::ostream& out, Solution_kind kind)
+{
+  static const char* const names[] = {"certified", "cluster", "continuum", "undecided"};
+  return out << names[static_cast<int>(kind)];
+}
+
+inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
+{
+  static const char* const names[] = {"none", "tolerance", "continuum suspected", "time limit", "node limit",
+                                      "stopped", "domain boundary", "inequality boundary"};
+  return out << names[static_cast<int>(reason)];
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+One answer of the solver: a box with what is proved of it.
+
+`Coordinate` is `double`, or `Exact_rational` for the number types whose boxes are finer than doubles.
+*/
+template <class Coordinate>
+class Solution_d
+{
+public:
+  using Range = std::pair<Coordinate, Coordinate>;
+  using Box = std::vector<Range>;
+
+private:
+  Solution_kind m_kind = Solution_kind::UNDECIDED;
+  Undecided_reason m_reason = Undecided_reason::NONE;
+  Box m_box, m_region;
+  int m_multiplicity = 0;
+  const char* m_number_type = "";
+
+public:
+  Solution_d() = default;
+  Solution_d(Solution_kind kind, Box box, Box region, const char* number_type, Undecided_reason reason = Undecided_reason::NONE,
+             int multiplicity = 0)
+    : m_kind(kind), m_reason(reason), m_box(std::move(box)), m_region(std::move(region)), m_multiplicity(multiplicity),
+      m_number_type(number_type)
+  {}
+
+  //! what is proved.
+  Solution_kind kind() const { return m_kind; }
+  bool is_certified() const { return m_kind == Solution_kind::CERTIFIED; }
+
+  //! why the box is undecided.
+  Undecided_reason reason() const { return m_reason; }
+
+  //! the enclosure: a closed range per unknown.
+  const Box& box() const { return m_box; }
+  const Range& operator[](std::size_t unknown) const { return m_box[unknown]; }
+
+  //! the middle of the enclosure, rounded to doubles.
+  std::vector<double> point() const
+  {
+    std::vector<double> result;
+    for (const Range& range : m_box)
+      result.push_back(CGAL::to_double(Coordinate((range.first + range.second) / Coordinate(2))));
+    return result;
+  }
+
+  //! a box around the enclosure that holds no other solution of the equalities; only of a certified solution.
+  const Box& uniqueness_region() const { return m_region; }
+
+  //! number of solutions in the box counted with multiplicity; 1 when certified, 0 when not known.
+  int multiplicity() const { return m_multiplicity; }
+
+  //! the number type that decided: "double", "interval", "multiprecision" or "exact".
+  const char* number_type() const { return m_number_type; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+How a run of the solver went.
+*/
+struct Summary
+{
+  std::size_t nodes = 0;             ///< boxes looked at
+  std::size_t restarts = 0;          ///< boxes rebuilt from the exact functions
+  int depth = 0;                     ///< largest number of splits on one path since a rebuild
+  double seconds = 0;                ///< wall-clock time of the whole run
+  double setup_seconds = 0;          ///< of it: laying out the system, exact integers
+  double rebuild_seconds = 0;        ///< of it: exact Bernstein coefficients
+  double refinement_seconds = 0;     ///< of it: Newton refinement and position of the roots
+  bool is_complete = true;           ///< every solution lies in a certified, cluster or continuum box
+  Undecided_reason why_not = Undecided_reason::NONE;   ///< the first reason when it is not
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Summary& s)
+{
+  out << (s.is_complete ? "complete" : "incomplete");
+  if (!s.is_complete)
+    out << " (" << s.why_not << ')';
+  return out << ", " << s.nodes << " nodes, " << s.restarts << " exact rebuilds, depth " << s.depth << ", " << s.seconds << " s";
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+All answers of a run, ordered by kind and then by the lower corners of their boxes. Every solution in the domain lies in the box of one of
+them: exactly one for certified solutions.
+*/
+template <class Coordinate>
+class Solution_set_d
+{
+public:
+  using Solution = Solution_d<Coordinate>;
+  using const_iterator = typename std::vector<Solution>::const_iterator;
+
+private:
+  std::vector<Solution> m_solutions;
+  Summary m_summary;
+
+public:
+  Solution_set_d() = default;
+  Solution_set_d(std::vector<Solution> solutions, const Summary& summary)
+    : m_solutions(std::move(solutions)), m_summary(summary)
+  {
+    std::sort(m_solutions.begin(), m_solutions.end(), [](const Solution& a, const Solution& b) {
+      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() < b.box();
+    });
+  }
+
+  const_iterator begin() const { return m_solutions.begin(); }
+  const_iterator end() const { return m_solutions.end(); }
+  std::size_t size() const { return m_solutions.size(); }
+  bool empty() const { return m_solutions.empty(); }
+  const Solution& operator[](std::size_t i) const { return m_solutions[i]; }
+
+  //! number of answers of a kind.
+  std::size_t count(Solution_kind kind) const
+  {
+    return std::count_if(begin(), end(), [=](const Solution& s) { return s.kind() == kind; });
+  }
+
+  //! whether every solution is accounted for by a certified, cluster or continuum box.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  const Summary& summary() const { return m_summary; }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_SET_D_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H
+
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Options of the solver, to be used with designated initialisers.
+*/
+struct Solver_options
+{
+  //! a box that is narrower than `tolerance * max(1, |x|)` on all axes and still undecided is not split any further. Certified
+  //! solutions do not depend on it: they are refined to the full precision of their coordinates.
+  double tolerance = 1e-10;
+
+  //! seconds after which what is left is reported as undecided; 0: none.
+  double time_limit = 0;
+
+  //! number of nodes after which what is left is reported as undecided; 0: none.
+  std::size_t node_limit = 0;
+
+  //! bits after the binary point that enclosures with rational coordinates aim at, and the precision of multiprecision numbers; at most 900.
+  int precision = 128;
+
+  //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not resolved.
+  std::size_t coarsening_step = 2048;
+
+  //! \throws Invalid_input when a value makes no sense.
+  void check() const
+  {
+    if (!(tolerance > 0) || !std::isfinite(tolerance))
+      throw Invalid_input("Solver_options: the tolerance must be positive and finite");
+    if (!(time_limit >= 0))
+      throw Invalid_input("Solver_options: the time limit must not be negative");
+    if (precision < 32 || precision > 900)
+      throw Invalid_input("Solver_options: the precision must lie between 32 and 900 bits");
+    if (coarsening_step == 0)
+      throw Invalid_input("Solver_options: the coarsening step must be positive");
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+The visitor that watches nothing and never stops the solver.
+*/
+struct Default_solver_visitor
+{
+  //! is called about every 50 ms with the share of the domain that is done, in [0,1].
+  void on_progress(double) {}
+
+  //! is asked often; the solver stops when it returns `true`.
+  bool stop() const { return false; }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLVER_OPTIONS_H

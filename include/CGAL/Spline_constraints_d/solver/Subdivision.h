@@ -1,0 +1,409 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_H
+
+#include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Root_collection.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/termination_tests.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A box in which nothing was proved.
+template <class Coordinate>
+struct Open_box
+{
+  std::vector<Coordinate> lower, upper;
+  Undecided_reason reason;
+};
+
+/*
+The depth-first subdivision of the domain. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open.
+*/
+template <class Traits, class Visitor>
+class Subdivision
+{
+  using NT = typename Traits::Number_type;
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+  using Node = Box_node<NT>;
+
+  enum class Verdict { DONE, CONTRACTED, SPLIT };
+
+  // A node and what is known of it.
+  struct Analysis
+  {
+    Lowered_node<NT> lowered;
+    Node_view view;
+    Linear_enclosure linear;
+    explicit Analysis(const System_layout& layout) : view(layout), linear(layout.dimension, layout.equalities) {}
+  };
+
+  const Constraint_system_d& m_system;
+  const System_layout& m_layout;
+  Exact_source& m_source;
+  const Solver_options& m_options;
+  Visitor& m_visitor;
+  Root_collection<NT>& m_roots;
+  Summary& m_summary;
+
+  typename Traits::Termination_test m_test;
+  typename Traits::Reduction m_reduction;
+  typename Traits::Splitter m_splitter;
+
+  Analysis m_analysis, m_trial_analysis;
+  Node m_trial;
+  Local_box m_box, m_part;
+  std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
+  std::vector<Open_box<Coordinate>> m_open;
+  std::vector<Relation> m_relations;
+  std::vector<double> m_error_sum;
+  std::vector<double> m_rating, m_widths, m_domain_widths, m_no_errors;
+  std::vector<Coordinate> m_corner[2];
+  Cell m_cell;
+  double m_tolerance, m_done = 0;
+  Undecided_reason m_stop = Undecided_reason::NONE;
+  std::chrono::steady_clock::time_point m_deadline, m_last_report;
+
+public:
+  Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
+              Visitor& visitor, Root_collection<NT>& roots, Summary& summary)
+    : m_system(system), m_layout(layout), m_source(source), m_options(options), m_visitor(visitor), m_roots(roots),
+      m_summary(summary), m_analysis(layout), m_trial_analysis(layout), m_no_errors(layout.errors, 0.0),
+      m_tolerance(options.tolerance)
+  {
+    m_trial.allocate(layout);
+    for (const auto& inequality : system.inequalities())
+      m_relations.push_back(inequality.relation);
+    m_last_report = std::chrono::steady_clock::now();
+    if (options.time_limit > 0)
+      m_deadline = m_last_report + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                     std::chrono::duration<double>((std::min)(options.time_limit, 1e9)));
+  }
+
+  // Walks over the part of the domain in one cell.
+  void run(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
+  {
+    m_cell = cell;
+    Node& root = level(0);
+    root.lower = lower;
+    root.upper = upper;
+    m_domain_widths.resize(m_layout.dimension);
+    for (int j = 0; j < m_layout.dimension; ++j)
+      m_domain_widths[j] = width(root, j);
+    rebuild(root);
+    subdivide(0, 0, share);
+  }
+
+  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+private:
+  Node& level(std::size_t index)
+  {
+    while (m_nodes.size() <= index)
+      m_nodes.emplace_back().allocate(m_layout);
+    return m_nodes[index];
+  }
+
+  static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
+
+  // The lower part of a split stays in its place, the upper part goes one level up and is finished first.
+  void subdivide(std::size_t index, int depth, double share)
+  {
+    Node& node = level(index);
+    for (;;) {
+      ++m_summary.nodes;
+      m_summary.depth = (std::max)(m_summary.depth, depth);
+      if (must_stop()) {
+        leave_open(node, m_stop);
+        return;
+      }
+      switch (examine(node)) {
+      case Verdict::DONE:
+        m_done += share;
+        return;
+      case Verdict::CONTRACTED:
+        break;
+      case Verdict::SPLIT:
+        const int axis = choose_axis(node);
+        if (axis < 0) {
+          leave_open(node, Undecided_reason::TOLERANCE);
+          m_done += share;
+          return;
+        }
+        // Off the middle the first time an axis is cut: roots like to sit on the planes of symmetry.
+        const double t = m_widths[axis] > 0.9 ? 125.0 / 256 : 0.5;
+        node.split(m_layout, axis, t, level(index + 1));
+        share /= 2;
+        subdivide(index + 1, ++depth, share);
+      }
+    }
+  }
+
+  Verdict examine(Node& node)
+  {
+    analyse(node, m_analysis);
+    if (is_excluded(m_analysis.view))
+      return Verdict::DONE;
+    m_analysis.linear.precondition(m_analysis.view);
+    m_box.reset(m_layout.dimension);
+    if (!m_reduction.contract(m_analysis.view, m_analysis.linear, m_box))
+      return Verdict::DONE;
+    if (m_analysis.linear.is_square() && certify(node))
+      return Verdict::DONE;
+    if (contract(node))
+      return Verdict::CONTRACTED;
+    if (is_blurred(node)) {
+      rebuild(node);
+      return Verdict::CONTRACTED;
+    }
+    return Verdict::SPLIT;
+  }
+
+  void analyse(Node& node, Analysis& analysis)
+  {
+    analysis.lowered.lower(m_layout, node, analysis.view);
+    if constexpr (!Traits::tracks_rounding)
+      analysis.view.reset(analysis.view.coefficients(), m_no_errors.data());
+    if constexpr (std::is_same_v<NT, double>)
+      for (std::size_t e = 0; e < m_layout.errors; ++e)
+        node.sizes[e] = (std::max)(std::abs(analysis.view.block_lower(e)), std::abs(analysis.view.block_upper(e)));
+  }
+
+  // No control point of an equality, or of an inequality, reaches the values that would satisfy it.
+  bool is_excluded(Node_view& view)
+  {
+    for (int f = 0; f < m_layout.equalities; ++f)
+      if (view.lower(f) > 0 || view.upper(f) < 0)
+        return true;
+    for (std::size_t g = 0; g < m_relations.size(); ++g)
+      if (is_certainly_violated(m_relations[g], view.lower(m_layout.equalities + g), view.upper(m_layout.equalities + g)))
+        return true;
+    return false;
+  }
+
+  /*
+  All roots of the node lie in the image of the Newton operator. When that is well inside the node's size, a box around it (which may reach over the faces of
+  the node, and of the domain) is tried: if the operator maps it into itself and contracts, it holds exactly one root; if image and box are disjoint, none.
+  Returns whether all roots of the node are accounted for.
+  */
+  bool certify(Node& node)
+  {
+    const int n = m_layout.dimension;
+    bool is_inside = true;
+    double reach = 0;
+    for (int j = 0; j < n; ++j) {
+      const double r = m_analysis.linear.reach(j), c = m_analysis.linear.centre(j);
+      reach = r > reach || std::isnan(r) ? r : reach;
+      is_inside = is_inside && std::abs(c) + r < 0.5;
+    }
+    if (!(reach < 0.5))
+      return false;
+    if (is_known(node))
+      return true;
+    if (!(reach < 0.25) && !(is_inside && m_test.has_at_most_one_solution(m_analysis.view, m_analysis.linear)))
+      return false;
+
+    m_trial.copy_from(node);
+    const Linear_enclosure* image = &m_analysis.linear;
+    bool is_certified = false;
+    for (int round = 0; round < 12; ++round) {
+      surround(*image, m_part);
+      m_trial.restrict_to(m_layout, m_part, 0);
+      Image_test result = test_image(m_trial);
+      if (result.verdict == Image_test::OPEN && can_be_sharpened(m_trial)) {
+        rebuild(m_trial);
+        result = test_image(m_trial);
+      }
+      if (result.verdict == Image_test::NO_ROOT)
+        return true;
+      image = &m_trial_analysis.linear;
+      if (result.verdict == Image_test::ONE_ROOT) {
+        m_roots.set_region(m_trial, *image, result.contraction, !is_certified);
+        is_certified = true;
+        if (result.contraction < 0.05)
+          break;
+      }
+      if (!(result.reach < 0.4))
+        break;
+    }
+    return is_certified && m_roots.add();
+  }
+
+  struct Image_test
+  {
+    enum { NO_ROOT, ONE_ROOT, OPEN } verdict;
+    double contraction, reach;
+  };
+
+  // Applies the Newton operator to the trial box.
+  Image_test test_image(Node& trial)
+  {
+    analyse(trial, m_trial_analysis);
+    Linear_enclosure& image = m_trial_analysis.linear;
+    image.precondition(m_trial_analysis.view);
+    if (!image.is_square())
+      return {Image_test::OPEN, HUGE_VAL, HUGE_VAL};
+    bool is_mapped_inside = true;
+    double reach = 0;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      if (std::abs(image.centre(j)) - image.reach(j) > 0.5)
+        return {Image_test::NO_ROOT, HUGE_VAL, HUGE_VAL};
+      is_mapped_inside = is_mapped_inside && std::abs(image.centre(j)) + image.reach(j) < 0.5;
+      reach = image.reach(j) > reach || std::isnan(image.reach(j)) ? image.reach(j) : reach;
+    }
+    const double contraction = is_mapped_inside ? contraction_bound(m_trial_analysis.view, image) : HUGE_VAL;
+    return {contraction < 1 ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
+  }
+
+  // A box around the image with room to spare: twice its size, and not too thin.
+  void surround(const Linear_enclosure& image, Local_box& part) const
+  {
+    part.reset(m_layout.dimension);
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const double half_width = 2 * image.reach(j) + 0.01;
+      part.lower[j] = image.centre(j) - half_width;
+      part.upper[j] = image.centre(j) + half_width;
+    }
+  }
+
+  // All roots of the node lie in a region whose only root was found before.
+  bool is_known(const Node& node)
+  {
+    for (auto& corner : m_corner)
+      corner.resize(m_layout.dimension);
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const double centre = m_analysis.linear.centre(j), reach = m_analysis.linear.reach(j);
+      const double lo = (std::max)(m_box.lower[j], centre - reach), hi = (std::min)(m_box.upper[j], centre + reach);
+      m_corner[0][j] = lo == -0.5 ? node.lower[j] : place_below(node.lower[j], node.upper[j], lo + 0.5);
+      m_corner[1][j] = hi == 0.5 ? node.upper[j] : place_above(node.lower[j], node.upper[j], hi + 0.5);
+    }
+    return m_roots.is_covered(m_corner[0], m_corner[1]);
+  }
+
+  // Shrinks the node to what the reduction left of it, when that is worth a pass. No axis is made thinner than the tolerance, nor than a small part of
+  // its width at once: an axis that collapses would hide the others.
+  bool contract(Node& node)
+  {
+    constexpr double least_gain = 0.1, thinnest = 0x1p-20;
+    double volume = 1;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const double least = (std::max)(thinnest, 0.5 * least_width(node, j) / width(node, j));
+      if (m_box.width(j) < least) {
+        const double centre = 0.5 * (m_box.lower[j] + m_box.upper[j]);
+        m_box.lower[j] = (std::max)(-0.5, centre - 0.5 * least);
+        m_box.upper[j] = (std::min)(0.5, centre + 0.5 * least);
+      }
+      if (m_box.width(j) <= 1 - least_gain)
+        volume *= m_box.width(j);
+    }
+    if (volume > 0.7)
+      return false;
+    node.restrict_to(m_layout, m_box, least_gain);
+    return true;
+  }
+
+  // The width at which an axis is not split any more.
+  double least_width(const Node& node, int j) const
+  {
+    const double lower = std::abs(CGAL::to_double(node.lower[j])), upper = std::abs(CGAL::to_double(node.upper[j]));
+    return m_tolerance * (std::max)({1.0, lower, upper});
+  }
+
+  // The best rated axis that is wider than the tolerance; -1 when there is none.
+  int choose_axis(const Node& node)
+  {
+    const int n = m_layout.dimension;
+    m_widths.resize(n);
+    for (int j = 0; j < n; ++j)
+      m_widths[j] = m_domain_widths[j] > 0 ? width(node, j) / m_domain_widths[j] : 0;
+    m_splitter.rate(m_analysis.view, m_widths, m_rating);
+    int best = -1;
+    for (int j = 0; j < n; ++j) {
+      if (width(node, j) > least_width(node, j) && node.can_split(j) &&
+          (best < 0 || m_rating[j] > m_rating[best] * (1 + 1e-9) ||
+           (m_rating[j] >= m_rating[best] * (1 - 1e-9) && m_widths[j] > m_widths[best])))
+        best = j;
+    }
+    return best;
+  }
+
+  // The rounding error has become visible beside what the equations leave undecided, and starting again from the exact functions would make it smaller.
+  bool is_blurred(const Node& node)
+  {
+    if (!can_be_sharpened(node))
+      return false;
+    m_error_sum.assign(m_layout.functions, 0);
+    for (const Block& block : m_layout.blocks)
+      for (std::size_t m = 0; m < block.functions.size(); ++m)
+        m_error_sum[block.functions[m]] += node.errors[block.first_error + m];
+    return m_analysis.linear.is_blurred_by(m_error_sum);
+  }
+
+  // Some error is well above the rounding of a fresh start.
+  bool can_be_sharpened(const Node& node) const
+  {
+    if constexpr (std::is_same_v<NT, double>)
+      for (std::size_t e = 0; e < m_layout.errors; ++e)
+        if (node.errors[e] > 0x1p-46 * node.sizes[e] && node.errors[e] > 0x1p-900)
+          return true;
+    return false;
+  }
+
+  void rebuild(Node& node)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    m_source.bernstein_coefficients(m_cell, std::span<const Coordinate>(node.lower), std::span<const Coordinate>(node.upper),
+                                    node.coefficients.data(), node.errors.data(), node.scale);
+    for (std::size_t e = 0; e < m_layout.errors; ++e)
+      node.sizes[e] = node.errors[e] * 0x1p50;
+    ++m_summary.restarts;
+    m_summary.rebuild_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  // Too many boxes that end at the tolerance are the mark of a continuum: it is then covered more and more coarsely.
+  void leave_open(const Node& node, Undecided_reason reason)
+  {
+    m_open.push_back({node.lower, node.upper, reason});
+    if (reason == Undecided_reason::TOLERANCE && m_open.size() % m_options.coarsening_step == 0)
+      m_tolerance *= 32;
+  }
+
+  bool must_stop()
+  {
+    if (m_stop != Undecided_reason::NONE)
+      return true;
+    if (m_options.node_limit > 0 && m_summary.nodes > m_options.node_limit)
+      m_stop = Undecided_reason::NODES;
+    else if (m_summary.nodes % 64 == 0) {
+      const auto now = std::chrono::steady_clock::now();
+      if (m_options.time_limit > 0 && now >= m_deadline)
+        m_stop = Undecided_reason::TIME;
+      else if (m_visitor.stop())
+        m_stop = Undecided_reason::STOPPED;
+      else if (now - m_last_report > std::chrono::milliseconds(50)) {
+        m_last_report = now;
+        m_visitor.on_progress(m_done);
+      }
+    }
+    return m_stop != Undecided_reason::NONE;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_SOLVER_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_SOLVER_D_H
+
+#include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/solver_traits.h>
+
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Finds all solutions of a square system of spline equations (with inequalities) on a box.
+
+The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a proof that a box around it holds exactly one
+(seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided.
+
+\tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`.
+*/
+template <ConstraintSolverTraits Traits = Certified_solver_traits>
+class Subdivision_solver_d
+{
+public:
+  using Number_type = typename Traits::Number_type;
+  using Coordinate = typename Number_traits<Number_type>::Coordinate;
+  using Solution_set = Solution_set_d<Coordinate>;
+
+private:
+  Solver_options m_options;
+
+public:
+  //! \throws Invalid_input when an option makes no sense.
+  explicit Subdivision_solver_d(const Solver_options& options = {}) : m_options(options) { m_options.check(); }
+
+  //! all solutions of the system.
+  //! \param system the constraints; as many equalities as unknowns.
+  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`.
+  //! \throws Invalid_input when the number of equalities differs from the number of unknowns.
+  template <SolverVisitor Visitor>
+  Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const;
+
+  Solution_set operator()(const Constraint_system_d& system) const
+  {
+    Default_solver_visitor visitor;
+    return (*this)(system, visitor);
+  }
+};
+
+namespace internal {
+
+// The smallest box with dyadic corners around the domain (or a cell of it): it may be an ulp wider, roots are placed exactly later.
+template <class Coordinate>
+std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const Exact_rational& upper, int bits)
+{
+  if constexpr (std::is_same_v<Coordinate, double>) {
+    // An axis of width zero cannot carry a polynomial: it gets the neighbouring doubles.
+    double lo = to_double_interval(lower).first, hi = to_double_interval(upper).second;
+    if (lo == hi) {
+      lo = std::nextafter(lo, -HUGE_VAL);
+      hi = std::nextafter(hi, HUGE_VAL);
+    }
+    if (!std::isfinite(lo) || !std::isfinite(hi))
+      throw Invalid_input("Subdivision_solver_d: the domain does not fit into the range of doubles");
+    return {lo, hi};
+  } else {
+    const Exact_rational unit = power_of_two(bits);
+    const auto floor_of = [&](const Exact_rational& x) {
+      const Exact_rational scaled = x * unit;
+      Big_integer quotient;
+      mpz_fdiv_q(quotient.backend().data(), numerator_of(scaled).backend().data(), denominator_of(scaled).backend().data());
+      return scaled_rational(quotient, -bits);
+    };
+    Exact_rational lo = floor_of(lower), hi = -floor_of(-upper);
+    if (lo == hi) {
+      lo -= power_of_two(-bits);
+      hi += power_of_two(-bits);
+    }
+    return {lo, hi};
+  }
+}
+
+} // namespace internal
+
+template <ConstraintSolverTraits Traits>
+template <SolverVisitor Visitor>
+typename Subdivision_solver_d<Traits>::Solution_set
+Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visitor& visitor) const
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto seconds_since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
+  const int n = system.dimension();
+  if (static_cast<int>(system.equalities().size()) != n)
+    throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
+                        std::to_string(n) + " unknowns; the system must be square");
+
+  [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
+  [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+  Summary summary;
+  const internal::System_layout layout(system);
+  internal::Exact_source source(system, layout);
+  internal::Root_collection<Number_type> roots(system, layout, source, m_options.precision);
+  internal::Subdivision<Traits, Visitor> subdivision(system, layout, source, m_options, visitor, roots, summary);
+  summary.setup_seconds = seconds_since(start);
+
+  // One walk per cell of the grid of breaks.
+  std::size_t cells = 1;
+  for (int v = 0; v < n; ++v)
+    cells *= source.breaks(v).empty() ? 1 : source.breaks(v).size() - 1;
+  for (std::size_t c = 0; c < cells; ++c) {
+    internal::Cell cell(n, 0);
+    std::vector<Coordinate> lower(n), upper(n);
+    std::size_t rest = c;
+    for (int v = n; v-- > 0;) {
+      const auto& breaks = source.breaks(v);
+      if (!breaks.empty()) {
+        cell[v] = static_cast<int>(rest % (breaks.size() - 1));
+        rest /= breaks.size() - 1;
+      }
+      const Exact_rational& begin = breaks.empty() ? system.domain(v).first : breaks[cell[v]];
+      const Exact_rational& end = breaks.empty() ? system.domain(v).second : breaks[cell[v] + 1];
+      std::tie(lower[v], upper[v]) = internal::dyadic_hull<Coordinate>(begin, end, m_options.precision);
+    }
+    subdivision.run(cell, lower, upper, 1.0 / static_cast<double>(cells));
+  }
+
+  std::vector<typename Solution_set::Solution> solutions;
+  internal::report_roots<Number_type>(roots, solutions);
+  internal::report_open_boxes<Number_type>(system, roots, subdivision.open_boxes(), solutions);
+  for (const auto& solution : solutions)
+    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
+      summary.is_complete = false;
+      summary.why_not = solution.reason();
+    }
+  summary.refinement_seconds = roots.seconds();
+  summary.seconds = seconds_since(start);
+  return Solution_set(std::move(solutions), summary);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+all solutions of a system, with the default solver.
+*/
+inline Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_options& options = {})
+{
+  return Subdivision_solver_d<>(options)(system);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+the system of constraints between the unknowns of one call of `unknowns()`.
+\throws Invalid_input when the constraints use unknowns of different calls, or none.
+*/
+inline Constraint_system_d make_system(std::span<const Constraint> constraints)
+{
+  Constraint_system_d system(common_domains(constraints));
+  for (const Constraint& constraint : constraints)
+    system.add(constraint.function, constraint.relation);
+  return system;
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+all solutions of constraints written as formulas: `solve(x*x + y*y == 2, x*y == 1)`.
+*/
+template <std::same_as<Constraint>... Constraints>
+Solution_set_d<double> solve(const Constraint& first, const Constraints&... others)
+{
+  const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
+  return solve(make_system(constraints));
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_SOLVER_D_H

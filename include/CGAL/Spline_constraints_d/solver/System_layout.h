@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SYSTEM_LAYOUT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SYSTEM_LAYOUT_H
+
+#include <CGAL/Spline_constraints_d/function/bernstein_kernels.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+How the Bernstein coefficients of all functions of a system lie in one array.
+
+A block is a tensor over some unknowns whose entries are interleaved: the functions that have a term on exactly these unknowns stand side
+by side as the fastest index, so that one pass over the block splits, bounds and differentiates all of them. Functions are numbered
+equalities first, then inequalities.
+*/
+struct Block
+{
+  std::vector<int> axes;        // unknowns, increasing
+  std::vector<int> degrees;
+  std::vector<int> functions;   // interleaved, increasing
+  std::size_t points = 1;       // control points: the product of the (degree + 1)
+  std::size_t offset = 0;       // of the first number in the array
+  std::size_t first_error = 0;  // of the first function's error bound: one per function of the block
+
+  std::size_t size() const { return points * functions.size(); }
+
+  Axis_view view(std::size_t axis) const
+  {
+    Axis_view result{1, degrees[axis], functions.size()};
+    for (std::size_t j = 0; j < axis; ++j)
+      result.outer *= static_cast<std::size_t>(degrees[j]) + 1;
+    for (std::size_t j = axis + 1; j < degrees.size(); ++j)
+      result.inner *= static_cast<std::size_t>(degrees[j]) + 1;
+    return result;
+  }
+};
+
+// A block seen along one of its axes.
+struct Block_axis
+{
+  std::size_t block;
+  std::size_t position;   // of the unknown among the axes of the block
+  Axis_view view;
+};
+
+struct System_layout
+{
+  int dimension = 0;
+  int equalities = 0;
+  int functions = 0;
+  std::size_t size = 0;     // numbers in the array
+  std::size_t errors = 0;   // error bounds
+  std::vector<Block> blocks;
+  std::vector<std::vector<Block_axis>> blocks_of_axis;
+
+  explicit System_layout(const Constraint_system_d& system);
+
+private:
+  void place_blocks();
+};
+
+inline const Spline_function& function_of(const Constraint_system_d& system, int index)
+{
+  const int equalities = static_cast<int>(system.equalities().size());
+  return index < equalities ? system.equalities()[index] : system.inequalities()[index - equalities].function;
+}
+
+inline System_layout::System_layout(const Constraint_system_d& system)
+  : dimension(system.dimension()),
+    equalities(static_cast<int>(system.equalities().size())),
+    functions(static_cast<int>(system.equalities().size() + system.inequalities().size()))
+{
+  // Equal unknowns share a block when raising the degrees to the common ones costs at most half as much again.
+  std::map<std::vector<int>, std::vector<std::size_t>> blocks_on;
+  for (int f = 0; f < functions; ++f)
+    for (const Spline_term& term : function_of(system, f).terms()) {
+      Block* chosen = nullptr;
+      for (std::size_t b : blocks_on[term.variables]) {
+        Block& block = blocks[b];
+        std::size_t common = 1;
+        for (std::size_t j = 0; j < term.degrees.size(); ++j)
+          common *= static_cast<std::size_t>((std::max)(block.degrees[j], term.degrees[j])) + 1;
+        const bool is_there = !block.functions.empty() && block.functions.back() == f;
+        const std::size_t members = block.functions.size() + (is_there ? 0 : 1);
+        if (is_there || 2 * common * members <= 3 * (block.size() + term.piece_size())) {
+          chosen = &block;
+          break;
+        }
+      }
+      if (chosen == nullptr) {
+        blocks_on[term.variables].push_back(blocks.size());
+        chosen = &blocks.emplace_back();
+        chosen->axes = term.variables;
+        chosen->degrees = term.degrees;
+      }
+      if (chosen->functions.empty() || chosen->functions.back() != f)
+        chosen->functions.push_back(f);
+      chosen->points = 1;
+      for (std::size_t j = 0; j < term.degrees.size(); ++j) {
+        chosen->degrees[j] = (std::max)(chosen->degrees[j], term.degrees[j]);
+        chosen->points *= static_cast<std::size_t>(chosen->degrees[j]) + 1;
+      }
+    }
+  place_blocks();
+}
+
+inline void System_layout::place_blocks()
+{
+  blocks_of_axis.resize(dimension);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    blocks[b].offset = size;
+    blocks[b].first_error = errors;
+    size += blocks[b].size();
+    errors += blocks[b].functions.size();
+    for (std::size_t j = 0; j < blocks[b].axes.size(); ++j)
+      blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j)});
+  }
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SYSTEM_LAYOUT_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CLUSTERS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CLUSTERS_H
+
+#include <CGAL/Spline_constraints_d/solver/Root_collection.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/multiplicity.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+template <class Coordinate>
+typename Solution_d<Coordinate>::Box make_box(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
+{
+  typename Solution_d<Coordinate>::Box box;
+  for (std::size_t j = 0; j < lower.size(); ++j)
+    box.emplace_back(lower[j], upper[j]);
+  return box;
+}
+
+// The regular roots in the domain.
+template <class NT, class Coordinate>
+void report_roots(const Root_collection<NT>& roots, std::vector<Solution_d<Coordinate>>& solutions)
+{
+  for (const auto& root : roots.roots()) {
+    if (root.position == Position::OUTSIDE)
+      continue;
+    const Undecided_reason reason = root.position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
+                                    : root.position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
+                                                                                  : Undecided_reason::NONE;
+    const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
+    solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),
+                           Number_traits<NT>::name, reason, 1);
+  }
+}
+
+template <class Coordinate>
+bool boxes_meet(const Open_box<Coordinate>& a, const Open_box<Coordinate>& b)
+{
+  for (std::size_t j = 0; j < a.lower.size(); ++j)
+    if (a.upper[j] < b.lower[j] || b.upper[j] < a.lower[j])
+      return false;
+  return true;
+}
+
+// Replaces boxes that meet by their hulls until no two meet: sweeps along the first axis.
+template <class Coordinate>
+void merge_boxes_that_meet(std::vector<Open_box<Coordinate>>& boxes)
+{
+  for (bool has_merged = true; has_merged;) {
+    has_merged = false;
+    std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) { return a.lower < b.lower; });
+    std::vector<Open_box<Coordinate>> merged;
+    std::vector<std::size_t> active;   // boxes of `merged` that the sweep has not left behind
+    for (auto& box : boxes) {
+      std::erase_if(active, [&](std::size_t i) { return merged[i].upper[0] < box.lower[0]; });
+      const auto partner =
+        std::find_if(active.begin(), active.end(), [&](std::size_t i) { return boxes_meet(merged[i], box); });
+      if (partner == active.end()) {
+        active.push_back(merged.size());
+        merged.push_back(std::move(box));
+        continue;
+      }
+      has_merged = true;
+      Open_box<Coordinate>& target = merged[*partner];
+      for (std::size_t j = 0; j < box.lower.size(); ++j) {
+        target.lower[j] = (std::min)(target.lower[j], box.lower[j]);
+        target.upper[j] = (std::max)(target.upper[j], box.upper[j]);
+      }
+      if (target.reason == Undecided_reason::TOLERANCE)
+        target.reason = box.reason;
+    }
+    boxes = std::move(merged);
+  }
+}
+
+// Narrow beside its place on all axes: what it holds cannot be told apart, and it is not the cover of a long curve.
+template <class Coordinate>
+bool is_small(const Open_box<Coordinate>& box)
+{
+  for (std::size_t j = 0; j < box.lower.size(); ++j) {
+    const double lower = CGAL::to_double(box.lower[j]), upper = CGAL::to_double(box.upper[j]);
+    if (upper - lower > 1e-4 * (std::max)({1.0, std::abs(lower), std::abs(upper)}))
+      return false;
+  }
+  return true;
+}
+
+/*
+What the open boxes are: boxes that meet become one. Everything around the group was proved empty, so when its simplest rational point is a root that is
+isolated, or the group is small, it is a cluster; the rest stays undecided.
+*/
+template <class NT, class Coordinate>
+void report_open_boxes(const Constraint_system_d& system, const Root_collection<NT>& roots, std::vector<Open_box<Coordinate>>& boxes,
+                       std::vector<Solution_d<Coordinate>>& solutions)
+{
+  merge_boxes_that_meet(boxes);
+  for (const Open_box<Coordinate>& box : boxes) {
+    if (roots.is_covered(box.lower, box.upper))
+      continue;   // its only root is known
+    Solution_kind kind = Solution_kind::UNDECIDED;
+    int multiplicity = 0;
+    if (box.reason == Undecided_reason::TOLERANCE) {
+      std::vector<Exact_rational> point;
+      for (std::size_t j = 0; j < box.lower.size(); ++j) {
+        const Exact_rational lower = (std::max)(Exact_rational(box.lower[j]), system.domain(static_cast<int>(j)).first);
+        const Exact_rational upper = (std::min)(Exact_rational(box.upper[j]), system.domain(static_cast<int>(j)).second);
+        if (upper < lower)
+          break;
+        point.push_back(simplest_rational_between(lower, upper));
+      }
+      if (point.size() == box.lower.size() && satisfies(system, point)) {
+        const Local_structure structure = local_structure(system, point);
+        multiplicity = structure.multiplicity;
+        if (structure.is_isolated || is_small(box))
+          kind = Solution_kind::CLUSTER;
+      }
+    }
+    solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name,
+                           kind == Solution_kind::UNDECIDED ? box.reason : Undecided_reason::NONE, multiplicity);
+  }
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CLUSTERS_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
+
+#include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Keeps the whole box: plain subdivision.
+
+\cgalModels{Reduction}
+*/
+class No_reduction
+{
+public:
+  //! leaves the box as it is.
+  bool contract(Node_view&, Linear_enclosure&, Local_box&) { return true; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+The projected polyhedron of Sherbrooke and Patrikalakis (seed 002): seen along one axis, the graph of each equality lies in the convex hull
+of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that hull misses zero there is no solution.
+
+One pass over the coefficients per axis. For a sum of terms on disjoint unknowns the hull is that of the expanded tensor.
+
+\cgalModels{Reduction}
+*/
+class Projected_polyhedron_reduction
+{
+  std::vector<double> m_lower, m_upper;
+
+public:
+  //! contracts the box; `false` when it proves that no solution is left.
+  bool contract(Node_view& node, Linear_enclosure&, Local_box& box)
+  {
+    const internal::System_layout& layout = node.layout();
+    for (int axis = 0; axis < layout.dimension; ++axis)
+      for (const internal::Block_axis& place : layout.blocks_of_axis[axis])
+        if (!contract_by_block(node, layout.blocks[place.block], place.view, axis, box))
+          return false;
+    return true;
+  }
+
+private:
+  bool contract_by_block(Node_view& node, const internal::Block& block, const internal::Axis_view& view, int axis, Local_box& box)
+  {
+    const std::size_t members = block.functions.size(), entries = members * (view.degree + 1);
+    if (view.degree == 0 || block.functions.front() >= node.equalities())
+      return true;
+    if (m_lower.size() < entries) {
+      m_lower.resize(entries);
+      m_upper.resize(entries);
+    }
+    internal::layer_bounds(node.coefficients() + block.offset, view, members, m_lower.data(), m_upper.data());
+    for (std::size_t m = 0; m < members && block.functions[m] < node.equalities(); ++m) {
+      // The other blocks of the function add their whole range to every layer.
+      const int f = block.functions[m];
+      const std::size_t entry = block.first_error + m;
+      const double size = std::abs(node.lower(f)) + std::abs(node.upper(f)) + std::abs(node.block_lower(entry)) +
+                          std::abs(node.block_upper(entry));
+      const double slack = node.errors()[entry] + internal::analysis_error * size;
+      const double add_lower = node.lower(f) - node.block_lower(entry) - slack;
+      const double add_upper = node.upper(f) - node.block_upper(entry) + slack;
+      const double first = crossing(view.degree, members, m, add_lower, add_upper, false);
+      if (first > 1)
+        return false;
+      const double last = 1 - crossing(view.degree, members, m, add_lower, add_upper, true);
+      const double rounding = 0x1p-40;
+      if (!box.intersect(axis, first - rounding - 0.5, last + rounding - 0.5))
+        return false;
+    }
+    return true;
+  }
+
+  // The smallest t in [0,1] where the hull of the layers meets zero, seen from the first layer on (or from the last one back);
+  // 2 when it misses zero. The crossing is on an edge from a layer before the first that reaches zero to that one or a later one.
+  double crossing(int degree, std::size_t members, std::size_t member, double add_lower, double add_upper, bool is_reversed) const
+  {
+    const auto lower = [&](int k) { return m_lower[(is_reversed ? degree - k : k) * members + member] + add_lower; };
+    const auto upper = [&](int k) { return m_upper[(is_reversed ? degree - k : k) * members + member] + add_upper; };
+    if (lower(0) <= 0 && upper(0) >= 0)
+      return 0;
+    const bool is_above = lower(0) > 0;
+    const auto distance = [&](int k) { return is_above ? lower(k) : -upper(k); };   // from zero, positive while on the side of layer 0
+    int reaching = 1;
+    while (reaching <= degree && distance(reaching) > 0)
+      ++reaching;
+    if (reaching > degree)
+      return 2;
+    double best = 1;
+    for (int i = 0; i < reaching; ++i) {
+      const double a = distance(i);
+      for (int k = reaching; k <= degree; ++k)
+        if (const double b = distance(k); b <= 0)
+          best = (std::min)(best, (i + (k - i) * (a / (a - b))) / degree);
+    }
+    return best;
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine enclosures.
+
+The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
+and separable equations are never expanded. A second sweep follows while the linear rows still gain, since it is cheap beside a pass.
+
+\cgalModels{Reduction}
+*/
+class Preconditioned_reduction
+{
+  Projected_polyhedron_reduction m_projection;
+
+public:
+  //! contracts the box; `false` when it proves that no solution is left.
+  bool contract(Node_view& node, Linear_enclosure& linear, Local_box& box)
+  {
+    if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
+      return false;
+    if (!m_projection.contract(node, linear, box))
+      return false;
+    return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
+  }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
