@@ -103,43 +103,63 @@ inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT&
     split_at(data, static_cast<NT*>(nullptr), view, inner_t);
 }
 
-// Least and largest entry of each row k of an axis, over all other indices, one pair per interleaved function.
-// `lower` and `upper` hold (degree + 1) x functions numbers.
-inline void layer_bounds(const double* data, const Axis_view& view, std::size_t functions, double* lower, double* upper)
+/*
+Bounds. Comparisons run elementwise over contiguous pieces, which compilers turn into vector instructions; a reduction to one number would not be. A
+piece is `stretch` numbers long: a multiple of the number of interleaved functions that divides what it is laid over.
+*/
+
+// lower <- min(lower, data), upper <- max(upper, data), elementwise.
+inline void widen(const double* __restrict data, double* __restrict lower, double* __restrict upper, std::size_t size)
 {
-  for (std::size_t i = 0; i < functions * (view.degree + 1); ++i) {
-    lower[i] = HUGE_VAL;
-    upper[i] = -HUGE_VAL;
+  for (std::size_t i = 0; i < size; ++i) {
+    lower[i] = data[i] < lower[i] ? data[i] : lower[i];
+    upper[i] = data[i] > upper[i] ? data[i] : upper[i];
   }
-  for (std::size_t o = 0; o < view.outer; ++o)
-    for (int k = 0; k <= view.degree; ++k) {
-      double* lo = lower + k * functions;
-      double* hi = upper + k * functions;
-      for (std::size_t i = 0; i < view.inner; i += functions, data += functions)
-        for (std::size_t f = 0; f < functions; ++f) {
-          lo[f] = data[f] < lo[f] ? data[f] : lo[f];
-          hi[f] = data[f] > hi[f] ? data[f] : hi[f];
-        }
-    }
 }
 
-// Bounds of the forward differences along an axis, one pair per interleaved function: the derivative is `degree` times these.
-inline void difference_bounds(const double* data, const Axis_view& view, std::size_t functions, double* lower, double* upper)
+// The same for two arrays, one that bounds from below and one from above.
+inline void widen(const double* __restrict data_lower, const double* __restrict data_upper, double* __restrict lower,
+                  double* __restrict upper, std::size_t size)
 {
+  for (std::size_t i = 0; i < size; ++i) {
+    lower[i] = data_lower[i] < lower[i] ? data_lower[i] : lower[i];
+    upper[i] = data_upper[i] > upper[i] ? data_upper[i] : upper[i];
+  }
+}
+
+inline void widen_by_differences(const double* __restrict data, std::size_t distance, double* __restrict lower,
+                                 double* __restrict upper, std::size_t size)
+{
+  for (std::size_t i = 0; i < size; ++i) {
+    const double difference = data[i + distance] - data[i];
+    lower[i] = difference < lower[i] ? difference : lower[i];
+    upper[i] = difference > upper[i] ? difference : upper[i];
+  }
+}
+
+// Bounds per function of `size` numbers; `work` holds 2 stretch numbers.
+inline void bound_functions(const double* data_lower, const double* data_upper, std::size_t size, std::size_t stretch,
+                            std::size_t functions, double* work, double* lower, double* upper)
+{
+  const double *least = data_lower, *most = data_upper;
+  if (stretch < size) {
+    double *work_lower = work, *work_upper = work + stretch;
+    for (std::size_t i = 0; i < stretch; ++i) {
+      work_lower[i] = data_lower[i];
+      work_upper[i] = data_upper[i];
+    }
+    for (std::size_t i = stretch; i < size; i += stretch)
+      widen(data_lower + i, data_upper + i, work_lower, work_upper, stretch);
+    least = work_lower;
+    most = work_upper;
+    size = stretch;
+  }
   for (std::size_t f = 0; f < functions; ++f) {
-    lower[f] = HUGE_VAL;
-    upper[f] = -HUGE_VAL;
+    lower[f] = least[f];
+    upper[f] = most[f];
   }
-  const std::size_t line = view.inner * (view.degree + 1);
-  for (std::size_t o = 0; o < view.outer; ++o, data += line) {
-    const std::size_t end = view.inner * view.degree;
-    for (std::size_t i = 0; i < end; i += functions)
-      for (std::size_t f = 0; f < functions; ++f) {
-        const double difference = data[i + view.inner + f] - data[i + f];
-        lower[f] = difference < lower[f] ? difference : lower[f];
-        upper[f] = difference > upper[f] ? difference : upper[f];
-      }
-  }
+  for (std::size_t i = functions; i < size; i += functions)
+    widen(least + i, most + i, lower, upper, functions);
 }
 
 } // namespace internal

@@ -66,12 +66,14 @@ public:
 
   //! number of unknowns.
   int dimension() const { return m_dimension; }
+  //! number of equations.
+  int equations() const { return m_equations; }
 
-  //! every unknown has a row of its own: C is an approximate inverse.
-  bool is_square() const { return m_rank == m_dimension && m_rank == m_equations; }
+  //! every unknown has a row of its own: C is an approximate (left) inverse.
+  bool has_inverse() const { return m_rank == m_dimension; }
 
   //! the image of the whole node under s -> s - C f(s): all solutions of the node lie in [centre - reach, centre + reach] on each axis.
-  //! Only for a square system.
+  //! Only with an inverse.
   double centre(int j) const { return m_centre[j]; }
   double reach(int j) const { return m_reach[j]; }
 
@@ -139,7 +141,7 @@ inline void Linear_enclosure::precondition(Node_view& node)
 {
   eliminate(node);
   multiply(node);
-  if (is_square())
+  if (has_inverse())
     bound_unknowns();
 }
 
@@ -238,6 +240,8 @@ inline void Linear_enclosure::bound_unknowns()
 {
   for (int i = 0; i < m_equations; ++i) {
     const int pivot = m_pivot_of_row[i];
+    if (pivot < 0)
+      continue;
     const double* row = m_product.data() + i * m_dimension;
     double reach = 0.5 * (m_upper[i] - m_lower[i]), size = (std::max)(std::abs(m_lower[i]), std::abs(m_upper[i]));
     for (int k = 0; k < m_dimension; ++k)

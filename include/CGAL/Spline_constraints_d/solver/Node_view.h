@@ -41,7 +41,7 @@ class Node_view
   std::vector<double> m_hull_lower, m_hull_upper;              // per function
   std::vector<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
   std::vector<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
-  std::vector<double> m_row, m_base, m_block_slopes;
+  std::vector<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
   std::vector<int> m_index;
 
 public:
@@ -86,31 +86,51 @@ public:
   const double* derivative_lower(int f) { compute_derivatives(); return m_derivative_lower.data() + static_cast<std::size_t>(f) * dimension(); }
   const double* derivative_upper(int f) { compute_derivatives(); return m_derivative_upper.data() + static_cast<std::size_t>(f) * dimension(); }
 
+  //! calls `visit(j, lower, upper)` for every axis `j` of a block with the bounds of its layers of control points: entry `k * m + f` belongs to layer `k`
+  //! of the `f`-th of the block's `m` functions. Costs about two passes over the block for all axes together.
+  template <class Visitor>
+  void visit_layers(const internal::Block& block, const Visitor& visit);
+
 private:
   void compute_affine();
   void compute_derivatives();
   void add_block(const internal::Block& block);
+  void compute_block_slopes(const internal::Block& block);
+  void bound_row(const double* data, const double* line, std::size_t members, std::size_t row, double* least, double* most,
+                 double* rest_least, double* rest_most);
+  void add_differences(const internal::Block& block, std::size_t axis);
+
+  // The linear function of a block at the Greville abscissa k of an axis.
+  double linear_part(const internal::Block& block, std::size_t axis, std::size_t member, int k) const
+  {
+    const int degree = block.degrees[axis];
+    return degree == 0 ? 0 : m_block_slopes[axis * block.functions.size() + member] * (static_cast<double>(k) / degree - 0.5);
+  }
 };
 
 inline Node_view::Node_view(const internal::System_layout& layout)
   : m_layout(&layout)
 {
   const std::size_t functions = layout.functions, entries = functions * layout.dimension;
-  std::size_t row = 1, members = 1, slopes = 1, axes = 1;
+  std::size_t size = 1, members = 1, slopes = 1, axes = 1, layers = 1;
   for (const internal::Block& block : layout.blocks) {
     const std::size_t m = block.functions.size();
-    row = (std::max)(row, m * (block.degrees.empty() ? 1 : block.degrees.back() + 1));
+    size = (std::max)(size, block.size());
     members = (std::max)(members, m);
     slopes = (std::max)(slopes, m * block.axes.size());
     axes = (std::max)(axes, block.axes.size());
+    for (int degree : block.degrees)
+      layers = (std::max)(layers, m * (degree + 1));
   }
+  for (auto* v : {&m_layer_lower, &m_layer_upper})
+    v->resize(layers);
   for (auto* v : {&m_block_lower, &m_block_upper})
     v->resize(layout.errors);
   for (auto* v : {&m_hull_lower, &m_hull_upper, &m_rest_lower, &m_rest_upper})
     v->resize(functions);
   for (auto* v : {&m_slopes, &m_derivative_lower, &m_derivative_upper})
     v->resize(entries);
-  m_row.resize(5 * row);
+  m_work.resize(5 * size);
   m_base.resize(members);
   m_block_slopes.resize(slopes);
   m_index.resize(axes);
@@ -131,73 +151,44 @@ inline void Node_view::compute_affine()
 // (its value at the Greville abscissae k/d subtracted) bounds the rest.
 inline void Node_view::add_block(const internal::Block& block)
 {
+  compute_block_slopes(block);
   const std::size_t members = block.functions.size(), axes = block.axes.size();
-  const double* data = m_coefficients + block.offset;
-  double* slopes = m_block_slopes.data();   // axes x members
-  std::fill_n(slopes, axes * members, 0.0);
-  for (std::size_t j = 0; j < axes; ++j) {
-    const internal::Axis_view view = block.view(j);
-    if (view.degree == 0)
-      continue;
-    const std::size_t line = view.inner * (view.degree + 1), end = view.inner * view.degree;
-    const double scale = 1.0 / static_cast<double>(view.outer * view.inner / members);
-    double* slope = slopes + j * members;
-    for (std::size_t o = 0; o < view.outer; ++o) {
-      const double* first = data + o * line;
-      for (std::size_t i = 0; i < view.inner; i += members)
-        for (std::size_t m = 0; m < members; ++m)
-          slope[m] += first[end + i + m] - first[i + m];
-    }
-    for (std::size_t m = 0; m < members; ++m)
-      slope[m] *= scale;
-  }
 
-  // Rows run along the last axis: position k of function m stands at k * members + m.
-  const std::size_t last = axes == 0 ? 0 : block.degrees.back();
-  const std::size_t row = (last + 1) * members;
-  double *line = m_row.data(), *least = line + row, *most = least + row, *rest_least = most + row, *rest_most = rest_least + row;
-  for (std::size_t k = 0; k <= last; ++k)
-    for (std::size_t m = 0; m < members; ++m)
-      line[k * members + m] = last == 0 ? 0.0 : slopes[(axes - 1) * members + m] * (static_cast<double>(k) / last - 0.5);
-  for (std::size_t i = 0; i < row; ++i) {
-    least[i] = rest_least[i] = HUGE_VAL;
-    most[i] = rest_most[i] = -HUGE_VAL;
+  // The linear function on the faster axes, tabulated; the slower ones contribute one number per row.
+  const std::size_t row = block.stretch(block.size());
+  const std::size_t slow = static_cast<std::size_t>(std::find(block.lengths.begin(), block.lengths.end(), row) - block.lengths.begin());
+  double *line = m_work.data(), *least = line + row, *most = least + row, *rest_least = most + row, *rest_most = rest_least + row;
+  std::fill_n(line, members, 0.0);
+  for (std::size_t j = axes; j-- > slow;) {
+    const std::size_t length = block.lengths[j + 1];
+    for (int k = block.degrees[j]; k >= 0; --k)
+      for (std::size_t i = 0; i < length; ++i)
+        line[k * length + i] = line[i] + linear_part(block, j, i % members, k);
   }
-  std::fill_n(m_base.begin(), members, 0.0);
+  std::fill_n(least, row, HUGE_VAL);
+  std::fill_n(most, row, -HUGE_VAL);
+  std::fill_n(rest_least, row, HUGE_VAL);
+  std::fill_n(rest_most, row, -HUGE_VAL);
+
+  const double* data = m_coefficients + block.offset;
   std::fill_n(m_index.begin(), axes, 0);
-  for (std::size_t j = 0; j + 1 < axes; ++j)
-    if (block.degrees[j] > 0)
-      for (std::size_t m = 0; m < members; ++m)
-        m_base[m] -= 0.5 * slopes[j * members + m];
-  const std::size_t rows = block.points / (last + 1);
-  for (std::size_t r = 0; r < rows; ++r, data += row) {
-    for (std::size_t k = 0, i = 0; k <= last; ++k)
-      for (std::size_t m = 0; m < members; ++m, ++i) {
-        const double value = data[i];
-        const double rest = value - (line[i] + m_base[m]);
-        least[i] = value < least[i] ? value : least[i];
-        most[i] = value > most[i] ? value : most[i];
-        rest_least[i] = rest < rest_least[i] ? rest : rest_least[i];
-        rest_most[i] = rest > rest_most[i] ? rest : rest_most[i];
+  for (std::size_t r = 0; r < block.size() / row; ++r, data += row) {
+    if (r > 0)   // odometer over the slower axes; their part of the linear function moves into the table
+      for (std::size_t j = slow; j-- > 0;) {
+        if (++m_index[j] <= block.degrees[j])
+          break;
+        m_index[j] = 0;
       }
-    for (std::size_t j = axes - 1; r + 1 < rows && j-- > 0;) {   // next row: odometer over the other axes
-      if (block.degrees[j] == 0)
-        continue;
-      const double* slope = slopes + j * members;
-      if (++m_index[j] <= block.degrees[j]) {
-        for (std::size_t m = 0; m < members; ++m)
-          m_base[m] += slope[m] / block.degrees[j];
-        break;
-      }
-      m_index[j] = 0;
-      for (std::size_t m = 0; m < members; ++m)
-        m_base[m] -= slope[m];
+    for (std::size_t m = 0; m < members; ++m) {
+      m_base[m] = 0;
+      for (std::size_t j = 0; j < slow; ++j)
+        m_base[m] += linear_part(block, j, m, m_index[j]);
     }
+    bound_row(data, line, members, row, least, most, rest_least, rest_most);
   }
 
   for (std::size_t m = 0; m < members; ++m) {
-    for (std::size_t k = 1; k <= last; ++k) {
-      const std::size_t i = k * members + m;
+    for (std::size_t i = m + members; i < row; i += members) {
       least[m] = (std::min)(least[m], least[i]);
       most[m] = (std::max)(most[m], most[i]);
       rest_least[m] = (std::min)(rest_least[m], rest_least[i]);
@@ -208,8 +199,9 @@ inline void Node_view::add_block(const internal::Block& block)
     double total = (std::max)(std::abs(least[m]), std::abs(most[m]));
     const double hull_error = error + internal::analysis_error * total;
     for (std::size_t j = 0; j < axes; ++j) {
-      total += std::abs(slopes[j * members + m]);
-      m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slopes[j * members + m];
+      const double slope = m_block_slopes[j * members + m];
+      total += std::abs(slope);
+      m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slope;
     }
     const double rest_error = error + internal::analysis_error * total;
     m_block_lower[block.first_error + m] = least[m] - hull_error;
@@ -221,6 +213,64 @@ inline void Node_view::add_block(const internal::Block& block)
   }
 }
 
+// Sums over the slowest axis are taken once and serve all faster ones.
+inline void Node_view::compute_block_slopes(const internal::Block& block)
+{
+  const std::size_t members = block.functions.size(), axes = block.axes.size();
+  std::fill_n(m_block_slopes.begin(), axes * members, 0.0);
+  const double* data = m_coefficients + block.offset;
+  double points = 1;   // summed into each entry of `data`
+  for (std::size_t j = 0; j < axes; ++j) {
+    const std::size_t inner = block.lengths[j + 1], last = inner * block.degrees[j];
+    double* slope = m_block_slopes.data() + j * members;
+    if (last > 0) {
+      const std::size_t stretch = block.stretch(inner);
+      double* sum = m_work.data() + block.size();
+      std::fill_n(sum, stretch, 0.0);
+      for (std::size_t i = 0; i < inner; i += stretch)
+        for (std::size_t k = 0; k < stretch; ++k)
+          sum[k] += data[last + i + k] - data[i + k];
+      for (std::size_t k = 0; k < stretch; k += members)
+        for (std::size_t m = 0; m < members; ++m)
+          slope[m] += sum[k + m];
+      const double scale = static_cast<double>(members) / (points * static_cast<double>(inner));
+      for (std::size_t m = 0; m < members; ++m)
+        slope[m] *= scale;
+    }
+    if (j + 1 < axes) {
+      double* total = m_work.data();
+      for (std::size_t i = 0; i < inner; ++i)
+        total[i] = data[i];
+      for (std::size_t k = inner; k <= last; k += inner)
+        for (std::size_t i = 0; i < inner; ++i)
+          total[i] += data[k + i];
+      data = total;
+      points *= block.degrees[j] + 1;
+    }
+  }
+}
+
+inline void Node_view::bound_row(const double* __restrict data, const double* __restrict line, std::size_t members,
+                                 std::size_t row, double* __restrict least, double* __restrict most,
+                                 double* __restrict rest_least, double* __restrict rest_most)
+{
+  const auto widen = [&](std::size_t i, double base) {
+    const double value = data[i], rest = value - (line[i] + base);
+    least[i] = value < least[i] ? value : least[i];
+    most[i] = value > most[i] ? value : most[i];
+    rest_least[i] = rest < rest_least[i] ? rest : rest_least[i];
+    rest_most[i] = rest > rest_most[i] ? rest : rest_most[i];
+  };
+  if (members == 1) {
+    const double base = m_base[0];
+    for (std::size_t i = 0; i < row; ++i)
+      widen(i, base);
+  } else
+    for (std::size_t i = 0; i < row; i += members)
+      for (std::size_t m = 0; m < members; ++m)
+        widen(i + m, m_base[m]);
+}
+
 inline void Node_view::compute_derivatives()
 {
   if (m_has_derivatives)
@@ -229,22 +279,73 @@ inline void Node_view::compute_derivatives()
   m_has_derivatives = true;
   std::fill(m_derivative_lower.begin(), m_derivative_lower.end(), 0.0);
   std::fill(m_derivative_upper.begin(), m_derivative_upper.end(), 0.0);
-  for (const internal::Block& block : m_layout->blocks) {
-    const std::size_t members = block.functions.size();
-    double *lower = m_row.data(), *upper = lower + members;
-    for (std::size_t j = 0; j < block.axes.size(); ++j) {
-      const internal::Axis_view view = block.view(j);
-      if (view.degree == 0)
-        continue;
-      internal::difference_bounds(m_coefficients + block.offset, view, members, lower, upper);
-      for (std::size_t m = 0; m < members; ++m) {
-        const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[j];
-        const double size = (std::max)(std::abs(m_block_lower[block.first_error + m]), std::abs(m_block_upper[block.first_error + m]));
-        const double error = 2 * m_errors[block.first_error + m] + internal::analysis_error * size;
-        m_derivative_lower[entry] += view.degree * (lower[m] - error);
-        m_derivative_upper[entry] += view.degree * (upper[m] + error);
+  for (const internal::Block& block : m_layout->blocks)
+    for (std::size_t j = 0; j < block.axes.size(); ++j)
+      if (block.degrees[j] > 0)
+        add_differences(block, j);
+}
+
+// Differences along an axis: where one step along it fills a vector, over pieces of such steps; else over whole lines, leaving out the differences that
+// reach from one line into the next.
+inline void Node_view::add_differences(const internal::Block& block, std::size_t axis)
+{
+  const std::size_t members = block.functions.size(), inner = block.lengths[axis + 1], line = block.lengths[axis];
+  const double* data = m_coefficients + block.offset;
+  const bool is_long = inner >= 16;
+  const std::size_t stretch = is_long ? block.stretch(inner) : (std::max)(line, block.stretch(block.size()));
+  double *lower = m_work.data(), *upper = lower + stretch;
+  std::fill_n(lower, stretch, HUGE_VAL);
+  std::fill_n(upper, stretch, -HUGE_VAL);
+  if (is_long)
+    for (std::size_t o = 0; o < block.size(); o += line)
+      for (std::size_t i = o; i < o + line - inner; i += stretch)
+        internal::widen_by_differences(data + i, inner, lower, upper, stretch);
+  else
+    for (std::size_t o = 0; o < block.size(); o += stretch)
+      internal::widen_by_differences(data + o, inner, lower, upper, stretch - inner);
+
+  for (std::size_t m = 0; m < members; ++m) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (std::size_t i = m; i < stretch; i += members)
+      if (is_long || i % line < line - inner) {
+        least = (std::min)(least, lower[i]);
+        most = (std::max)(most, upper[i]);
       }
+    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis];
+    const double size = (std::max)(std::abs(m_block_lower[block.first_error + m]), std::abs(m_block_upper[block.first_error + m]));
+    const double error = 2 * m_errors[block.first_error + m] + internal::analysis_error * size;
+    m_derivative_lower[entry] += block.degrees[axis] * (least - error);
+    m_derivative_upper[entry] += block.degrees[axis] * (most + error);
+  }
+}
+
+// Bounds over the slowest axis are taken once and serve all faster ones.
+template <class Visitor>
+void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
+{
+  const std::size_t members = block.functions.size();
+  const double *lower = m_coefficients + block.offset, *upper = lower;
+  double* work = m_work.data() + 2 * block.size();
+  for (std::size_t j = 0; j < block.axes.size(); ++j) {
+    const std::size_t inner = block.lengths[j + 1], stretch = block.stretch(inner);
+    const int degree = block.degrees[j];
+    for (int k = 0; k <= degree; ++k)
+      internal::bound_functions(lower + k * inner, upper + k * inner, inner, stretch, members, work,
+                                m_layer_lower.data() + k * members, m_layer_upper.data() + k * members);
+    visit(j, m_layer_lower.data(), m_layer_upper.data());
+    if (j + 1 == block.axes.size())
+      break;
+    double *all_lower = m_work.data(), *all_upper = all_lower + block.size();
+    if (j == 0 || degree > 0) {
+      for (std::size_t i = 0; i < inner; ++i) {
+        all_lower[i] = lower[i];
+        all_upper[i] = upper[i];
+      }
+      for (int k = 1; k <= degree; ++k)
+        internal::widen(lower + k * inner, upper + k * inner, all_lower, all_upper, inner);
     }
+    lower = all_lower;
+    upper = all_upper;
   }
 }
 

@@ -54,14 +54,14 @@ public:
   // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
   void set_region(const Box_node<NT>& node, const Linear_enclosure& linear, double contraction, bool is_first)
   {
-    const int n = linear.dimension();
+    const int n = linear.dimension(), m = linear.equations();
     m_region.lower = node.lower;
     m_region.upper = node.upper;
     m_region.scale = node.scale;
     m_region.contraction = contraction;
     m_region.inverse.clear();
     for (int j = 0; j < n; ++j)
-      m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + n);
+      m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);
     if (is_first) {
       m_first_lower = node.lower;
       m_first_upper = node.upper;

@@ -71,7 +71,7 @@ inline Exact_rational evaluate_exactly(const Spline_function& function, const st
   return sum;
 }
 
-enum class Position { INSIDE, OUTSIDE, ON_DOMAIN_BOUNDARY, ON_INEQUALITY };
+enum class Position { INSIDE, OUTSIDE, ON_DOMAIN_BOUNDARY, ON_INEQUALITY, ON_EQUALITY };
 
 /*
 Decides whether the root in an enclosure lies in the domain and satisfies the inequalities: by the enclosure at hand, by the simplest rational
@@ -141,20 +141,26 @@ private:
         return Position::OUTSIDE;
       is_on_boundary = is_on_boundary || lo < m_system.domain(j).first || m_system.domain(j).second < hi;
     }
-    bool is_on_inequality = false;
-    if (!m_system.inequalities().empty()) {
+    // More equalities than unknowns: the root is one of n combinations of them, and each has to vanish there.
+    const bool is_overdetermined = m_layout.equalities > m_layout.dimension;
+    bool is_on_inequality = false, is_on_equality = false;
+    if (is_overdetermined || !m_system.inequalities().empty()) {
       m_source.bernstein_coefficients(m_source.cell_of(std::span<const C>(enclosure.lower)), std::span<const C>(enclosure.lower),
                                       std::span<const C>(enclosure.upper), m_coefficients.data(), m_errors.data(), m_scale);
       m_view.reset(m_coefficients.data(), m_errors.data());
-      for (std::size_t g = 0; g < m_system.inequalities().size(); ++g) {
-        const int f = m_layout.equalities + static_cast<int>(g);
-        const Relation relation = m_system.inequalities()[g].relation;
+      for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
+        const bool is_equality = f < m_layout.equalities;
+        const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
         if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
           return Position::OUTSIDE;
-        is_on_inequality = is_on_inequality || !is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f));
+        if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)))
+          (is_equality ? is_on_equality : is_on_inequality) = true;
       }
     }
-    return is_on_boundary ? Position::ON_DOMAIN_BOUNDARY : is_on_inequality ? Position::ON_INEQUALITY : Position::INSIDE;
+    return is_on_boundary     ? Position::ON_DOMAIN_BOUNDARY
+           : is_on_inequality ? Position::ON_INEQUALITY
+           : is_on_equality   ? Position::ON_EQUALITY
+                              : Position::INSIDE;
   }
 
   std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure) const

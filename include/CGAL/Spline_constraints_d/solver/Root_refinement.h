@@ -17,7 +17,7 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A box with exactly one root, and what proves it: in the coordinates of the box, |I - C J| <= contraction < 1 for all Jacobians J on it, where row k of C
+A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what proves it: in the coordinates of the box, |I - C J| <= contraction < 1 for all Jacobians J on it, where row k of C
 acts on the functions scaled by 2^-scale.
 */
 template <class Coordinate>
@@ -111,16 +111,16 @@ private:
   // Fills m_step with C f(point) and returns a bound on the distance of the root from the point, both in box coordinates.
   double newton_step(const Certified_region<Coordinate>& region)
   {
-    const int n = m_layout.dimension;
+    const int n = m_layout.dimension, m = m_layout.equalities;
     m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
     double largest = 0;
     for (int j = 0; j < n; ++j) {
       double step = 0, size = 0;
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < m; ++i) {
         const long exponent = m_values[i].exponent - region.scale[i];
         const double value = std::ldexp(m_values[i].mantissa, static_cast<int>((std::max)(-3000L, (std::min)(exponent, 3000L))));
-        step += region.inverse[j * n + i] * value;
-        size += std::abs(region.inverse[j * n + i]) * (std::abs(value) + 0x1p-1060);
+        step += region.inverse[j * m + i] * value;
+        size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-1060);
       }
       m_step[j] = step;
       largest = (std::max)(largest, std::abs(step) + 0x1p-44 * size);

@@ -41,6 +41,7 @@ enum class Undecided_reason {
   NODES,       ///< the node limit was reached
   STOPPED,     ///< the visitor stopped the solver
   DOMAIN_BOUNDARY,   ///< one regular solution of the equalities, on or next to the boundary of the domain: inside or outside is not decided
+  OVERDETERMINED,    ///< more equalities than unknowns, and the one point that can be a solution does not satisfy all of them certainly
   INEQUALITY         ///< one regular solution of the equalities, on or next to the boundary of an inequality: not decided
 };
 
@@ -53,7 +54,7 @@ inline std::ostream& operator<<(std::ostream& out, Solution_kind kind)
 inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
 {
   static const char* const names[] = {"none", "tolerance", "continuum suspected", "time limit", "node limit",
-                                      "stopped", "domain boundary", "inequality boundary"};
+                                      "stopped", "domain boundary", "overdetermined", "inequality boundary"};
   return out << names[static_cast<int>(reason)];
 }
 

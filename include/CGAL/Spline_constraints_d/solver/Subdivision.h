@@ -161,7 +161,7 @@ private:
     m_box.reset(m_layout.dimension);
     if (!m_reduction.contract(m_analysis.view, m_analysis.linear, m_box))
       return Verdict::DONE;
-    if (m_analysis.linear.is_square() && certify(node))
+    if (m_analysis.linear.has_inverse() && certify(node))
       return Verdict::DONE;
     if (contract(node))
       return Verdict::CONTRACTED;
@@ -254,7 +254,7 @@ private:
     analyse(trial, m_trial_analysis);
     Linear_enclosure& image = m_trial_analysis.linear;
     image.precondition(m_trial_analysis.view);
-    if (!image.is_square())
+    if (!image.has_inverse())
       return {Image_test::OPEN, HUGE_VAL, HUGE_VAL};
     bool is_mapped_inside = true;
     double reach = 0;

@@ -24,7 +24,8 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-Finds all solutions of a square system of spline equations (with inequalities) on a box.
+Finds all solutions of a system of at least as many spline equations as unknowns, with inequalities, on a box.
+
 
 The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a proof that a box around it holds exactly one
 (seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided.
@@ -47,9 +48,9 @@ public:
   explicit Subdivision_solver_d(const Solver_options& options = {}) : m_options(options) { m_options.check(); }
 
   //! all solutions of the system.
-  //! \param system the constraints; as many equalities as unknowns.
+  //! \param system the constraints; at least as many equalities as unknowns.
   //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`.
-  //! \throws Invalid_input when the number of equalities differs from the number of unknowns.
+  //! \throws Invalid_input when there are fewer equalities than unknowns.
   template <SolverVisitor Visitor>
   Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const;
 
@@ -104,9 +105,9 @@ Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visi
   const auto start = Clock::now();
   const auto seconds_since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
   const int n = system.dimension();
-  if (static_cast<int>(system.equalities().size()) != n)
+  if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) + " unknowns; the system must be square");
+                        std::to_string(n) + " unknowns; solution sets of positive dimension are not supported");
 
   [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);

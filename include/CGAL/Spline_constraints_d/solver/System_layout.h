@@ -32,7 +32,18 @@ struct Block
   std::size_t offset = 0;       // of the first number in the array
   std::size_t first_error = 0;  // of the first function's error bound: one per function of the block
 
+  std::vector<std::size_t> lengths;  // numbers that axis j and the faster ones span; one more entry for the functions alone
+
   std::size_t size() const { return points * functions.size(); }
+
+  // The shortest run of whole axes that fills a few vector registers, at most `limit` numbers.
+  std::size_t stretch(std::size_t limit) const
+  {
+    for (std::size_t j = lengths.size(); j-- > 0;)
+      if (lengths[j] >= 16 || lengths[j] == limit)
+        return lengths[j] <= limit ? lengths[j] : limit;
+    return limit;
+  }
 
   Axis_view view(std::size_t axis) const
   {
@@ -118,6 +129,10 @@ inline void System_layout::place_blocks()
 {
   blocks_of_axis.resize(dimension);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
+    blocks[b].lengths.assign(1, blocks[b].functions.size());
+    for (std::size_t j = blocks[b].axes.size(); j-- > 0;)
+      blocks[b].lengths.push_back(blocks[b].lengths.back() * (blocks[b].degrees[j] + 1));
+    std::reverse(blocks[b].lengths.begin(), blocks[b].lengths.end());
     blocks[b].offset = size;
     blocks[b].first_error = errors;
     size += blocks[b].size();

@@ -36,6 +36,7 @@ void report_roots(const Root_collection<NT>& roots, std::vector<Solution_d<Coord
       continue;
     const Undecided_reason reason = root.position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
                                     : root.position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
+                                    : root.position == Position::ON_EQUALITY      ? Undecided_reason::OVERDETERMINED
                                                                                   : Undecided_reason::NONE;
     const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
     solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),

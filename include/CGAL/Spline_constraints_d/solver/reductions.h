@@ -7,8 +7,9 @@
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -33,37 +34,40 @@ public:
 The projected polyhedron of Sherbrooke and Patrikalakis (seed 002): seen along one axis, the graph of each equality lies in the convex hull
 of the segments \f$(k/d, [\min, \max])\f$ of its layers of control points; where that hull misses zero there is no solution.
 
-One pass over the coefficients per axis. For a sum of terms on disjoint unknowns the hull is that of the expanded tensor.
+About two passes over the coefficients. For a sum of terms on disjoint unknowns the hull is that of the expanded tensor.
 
 \cgalModels{Reduction}
 */
 class Projected_polyhedron_reduction
 {
-  std::vector<double> m_lower, m_upper;
-
 public:
   //! contracts the box; `false` when it proves that no solution is left.
   bool contract(Node_view& node, Linear_enclosure&, Local_box& box)
   {
-    const internal::System_layout& layout = node.layout();
-    for (int axis = 0; axis < layout.dimension; ++axis)
-      for (const internal::Block_axis& place : layout.blocks_of_axis[axis])
-        if (!contract_by_block(node, layout.blocks[place.block], place.view, axis, box))
+    for (const internal::Block& block : node.layout().blocks)
+      if (!block.functions.empty() && block.functions.front() < node.equalities()) {
+        bool is_left = true;
+        node.visit_layers(block, [&](std::size_t j, const double* lower, const double* upper) {
+          is_left = is_left && contract_axis(node, block, j, lower, upper, box);
+        });
+        if (!is_left)
           return false;
+      }
     return true;
   }
 
 private:
-  bool contract_by_block(Node_view& node, const internal::Block& block, const internal::Axis_view& view, int axis, Local_box& box)
+  const double *m_lower = nullptr, *m_upper = nullptr;
+
+  bool contract_axis(Node_view& node, const internal::Block& block, std::size_t axis, const double* lower, const double* upper,
+                     Local_box& box)
   {
-    const std::size_t members = block.functions.size(), entries = members * (view.degree + 1);
-    if (view.degree == 0 || block.functions.front() >= node.equalities())
+    const std::size_t members = block.functions.size();
+    const int degree = block.degrees[axis];
+    m_lower = lower;
+    m_upper = upper;
+    if (degree == 0)
       return true;
-    if (m_lower.size() < entries) {
-      m_lower.resize(entries);
-      m_upper.resize(entries);
-    }
-    internal::layer_bounds(node.coefficients() + block.offset, view, members, m_lower.data(), m_upper.data());
     for (std::size_t m = 0; m < members && block.functions[m] < node.equalities(); ++m) {
       // The other blocks of the function add their whole range to every layer.
       const int f = block.functions[m];
@@ -73,12 +77,12 @@ private:
       const double slack = node.errors()[entry] + internal::analysis_error * size;
       const double add_lower = node.lower(f) - node.block_lower(entry) - slack;
       const double add_upper = node.upper(f) - node.block_upper(entry) + slack;
-      const double first = crossing(view.degree, members, m, add_lower, add_upper, false);
+      const double first = crossing(degree, members, m, add_lower, add_upper, false);
       if (first > 1)
         return false;
-      const double last = 1 - crossing(view.degree, members, m, add_lower, add_upper, true);
+      const double last = 1 - crossing(degree, members, m, add_lower, add_upper, true);
       const double rounding = 0x1p-40;
-      if (!box.intersect(axis, first - rounding - 0.5, last + rounding - 0.5))
+      if (!box.intersect(block.axes[axis], first - rounding - 0.5, last + rounding - 0.5))
         return false;
     }
     return true;

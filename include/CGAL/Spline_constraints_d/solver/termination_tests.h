@@ -23,16 +23,16 @@ node: it holds at most one solution, and \f$C\f$ is regular. Costs a pass over t
 */
 inline double contraction_bound(Node_view& node, const Linear_enclosure& linear)
 {
-  if (!linear.is_square())
+  if (!linear.has_inverse())
     return HUGE_VAL;
-  const int n = node.dimension();
+  const int n = node.dimension(), m = node.equalities();
   double largest = 0;
   for (int j = 0; j < n; ++j) {
     const double* inverse = linear.inverse_row(j);
     double sum = 0;
     for (int k = 0; k < n; ++k) {
       double middle = j == k ? 1 : 0, radius = 0, size = middle;
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < m; ++i) {
         if (inverse[i] == 0)
           continue;
         const double lower = node.derivative_lower(i)[k], upper = node.derivative_upper(i)[k];
