@@ -13,6 +13,7 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -73,6 +74,19 @@ public:
         m_cell[v] = static_cast<int>(next - m_breaks[v].begin()) - 1;
       }
     return m_cell;
+  }
+
+  // Calls visit(cell) for every cell that a box meets.
+  template <class Coordinate, class Visitor>
+  void visit_cells(std::span<const Coordinate> lower, std::span<const Coordinate> upper, const Visitor& visit)
+  {
+    const Cell first = cell_of(lower), last = cell_of(upper);
+    Cell cell = first;
+    for (int v = m_layout.dimension - 1; v >= 0;) {
+      visit(std::as_const(cell));
+      for (v = m_layout.dimension - 1; v >= 0 && ++cell[v] > last[v]; --v)
+        cell[v] = first[v];
+    }
   }
 
   // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by 2^-scale[f] such that the largest lies

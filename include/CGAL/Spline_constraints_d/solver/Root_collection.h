@@ -68,6 +68,13 @@ public:
     }
   }
 
+  void set_region(const Certified_region<Coordinate>& region)
+  {
+    m_region = region;
+    m_first_lower = region.lower;
+    m_first_upper = region.upper;
+  }
+
   // Refines the root of the region and keeps it unless it is known; true always.
   bool add()
   {

@@ -145,17 +145,24 @@ private:
     const bool is_overdetermined = m_layout.equalities > m_layout.dimension;
     bool is_on_inequality = false, is_on_equality = false;
     if (is_overdetermined || !m_system.inequalities().empty()) {
-      m_source.bernstein_coefficients(m_source.cell_of(std::span<const C>(enclosure.lower)), std::span<const C>(enclosure.lower),
-                                      std::span<const C>(enclosure.upper), m_coefficients.data(), m_errors.data(), m_scale);
-      m_view.reset(m_coefficients.data(), m_errors.data());
-      for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
-        const bool is_equality = f < m_layout.equalities;
-        const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
-        if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
-          return Position::OUTSIDE;
-        if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)))
-          (is_equality ? is_on_equality : is_on_inequality) = true;
-      }
+      bool is_excluded = true;   // on all pieces
+      m_source.visit_cells(std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper), [&](const Cell& cell) {
+        m_source.bernstein_coefficients(cell, std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper),
+                                        m_coefficients.data(), m_errors.data(), m_scale);
+        m_view.reset(m_coefficients.data(), m_errors.data());
+        bool is_excluded_here = false;
+        for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
+          const bool is_equality = f < m_layout.equalities;
+          const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
+          if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
+            is_excluded_here = true;
+          if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)))
+            (is_equality ? is_on_equality : is_on_inequality) = true;
+        }
+        is_excluded = is_excluded && is_excluded_here;
+      });
+      if (is_excluded)
+        return Position::OUTSIDE;
     }
     return is_on_boundary     ? Position::ON_DOMAIN_BOUNDARY
            : is_on_inequality ? Position::ON_INEQUALITY

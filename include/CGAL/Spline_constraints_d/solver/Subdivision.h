@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Box_node.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Piecewise_certification.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -65,6 +66,8 @@ class Subdivision
 
   Analysis m_analysis, m_trial_analysis;
   Node m_trial;
+  Piecewise_certification<NT> m_piecewise;
+  Certified_region<Coordinate> m_across;
   Local_box m_box, m_part;
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open;
@@ -81,7 +84,7 @@ public:
   Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
               Visitor& visitor, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_source(source), m_options(options), m_visitor(visitor), m_roots(roots),
-      m_summary(summary), m_analysis(layout), m_trial_analysis(layout), m_no_errors(layout.errors, 0.0),
+      m_summary(summary), m_analysis(layout), m_trial_analysis(layout), m_piecewise(layout, source), m_no_errors(layout.errors, 0.0),
       m_tolerance(options.tolerance)
   {
     m_trial.allocate(layout);
@@ -221,6 +224,8 @@ private:
     bool is_certified = false;
     for (int round = 0; round < 12; ++round) {
       surround(*image, m_part);
+      if (reaches_over_break(m_trial))
+        return is_certified ? m_roots.add() : certify_across_break();
       m_trial.restrict_to(m_layout, m_part, 0);
       Image_test result = test_image(m_trial);
       if (result.verdict == Image_test::OPEN && can_be_sharpened(m_trial)) {
@@ -240,6 +245,36 @@ private:
         break;
     }
     return is_certified && m_roots.add();
+  }
+
+  // The part of the node, in m_part, reaches into another cell; its box is left in m_across.
+  bool reaches_over_break(const Node& node)
+  {
+    bool has_breaks = false;
+    for (int j = 0; j < m_layout.dimension; ++j)
+      has_breaks = has_breaks || m_source.breaks(j).size() > 2;
+    if (!has_breaks)
+      return false;
+    m_across.lower.resize(m_layout.dimension);
+    m_across.upper.resize(m_layout.dimension);
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      m_across.lower[j] = place_below(node.lower[j], node.upper[j], m_part.lower[j] + 0.5);
+      m_across.upper[j] = place_above(node.lower[j], node.upper[j], m_part.upper[j] + 0.5);
+    }
+    return m_piecewise.crosses_break(m_cell, m_across.lower, m_across.upper);
+  }
+
+  bool certify_across_break()
+  {
+    switch (m_piecewise.certify(m_across)) {
+    case Piecewise_certification<NT>::NO_ROOT:
+      return true;
+    case Piecewise_certification<NT>::ONE_ROOT:
+      m_roots.set_region(m_across);
+      return m_roots.add();
+    default:
+      return false;
+    }
   }
 
   struct Image_test
