@@ -124,15 +124,20 @@ struct Box_node
   }
 
 private:
-  // Adds what a de Casteljau scheme of a degree may add to the error, see the manual (rounding): `growth` is 1 inside the box.
-  void add_error(const Block& block, int degree, double growth)
+  /*
+  Adds what `cuts` de Casteljau schemes of a degree d may add to the error E of coefficients bounded by M, with u = 2^-52 for any rounding mode. A cut does d
+  levels s a + t b, each with two products, a sum and the rounding of s = 1 - t: at most 3 u M a level. Its parameter is a quotient of two rounded
+  differences, off by 3 u, and moves a coefficient by at most 2 d M times that: together 9 d u M. Inside the box |s| + |t| = 1; beyond it each
+  level grows by `growth`. Underflow adds less than the 2^-1000 that every error starts with.
+  */
+  void add_error(const Block& block, int degree, int cuts, double growth)
   {
     const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40);
     for (std::size_t m = 0; m < block.functions.size(); ++m) {
       double& error = errors[block.first_error + m];
       double& size = sizes[block.first_error + m];
       size *= power;
-      error = error * power + 16 * degree * 0x1p-52 * (size + error * power);
+      error = error * power + 10 * cuts * degree * 0x1p-52 * (size + error * power);
     }
   }
 };
@@ -160,7 +165,7 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
       else
         split_at(data, after, view, parameter);
       if constexpr (std::is_same_v<NT, double>)
-        add_error(block, view.degree, 1);
+        add_error(block, view.degree, 1, 1);
     } else
       std::copy(data, data + block.size(), after);
   }
@@ -187,7 +192,7 @@ void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Co
     const Block& block = layout.blocks[affected.block];
     internal::restrict_to(coefficients.data() + block.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
     if constexpr (std::is_same_v<NT, double>)
-      add_error(block, affected.view.degree, growth);
+      add_error(block, affected.view.degree, (cuts_before ? 1 : 0) + (cuts_after ? 1 : 0), growth);
   }
   lower[axis] = new_lower;
   upper[axis] = new_upper;

@@ -8,8 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
-
-#include <Eigen/LU>
+#include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +36,7 @@ private:
   Exact_source& m_source;
   Node_view m_view;
   std::vector<double> m_coefficients, m_errors;
-  Eigen::MatrixXd m_lower, m_upper;   // derivatives in box coordinates, functions scaled by 2^-scale
+  std::vector<double> m_work, m_lower, m_upper;   // equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
   std::vector<Exact_source::Value> m_values;
   std::vector<Coordinate> m_centre;
 
@@ -65,34 +64,52 @@ public:
     if (m_layout.equalities != n)
       return OPEN;
     bound_derivatives(region);
-    const Eigen::MatrixXd middle = 0.5 * (m_lower + m_upper), radius = 0.5 * (m_upper - m_lower);
-    const Eigen::MatrixXd inverse = middle.partialPivLu().inverse();
-    if (!inverse.allFinite())
-      return OPEN;
-    const Eigen::MatrixXd size = inverse.cwiseAbs() * (middle.cwiseAbs() + radius) + Eigen::MatrixXd::Identity(n, n);
-    const Eigen::MatrixXd defect = (Eigen::MatrixXd::Identity(n, n) - inverse * middle).cwiseAbs() + inverse.cwiseAbs() * radius + analysis_error * size;
-    const Eigen::VectorXd sums = defect.rowwise().sum() * (1 + analysis_error);
-    region.contraction = sums.maxCoeff();
     region.inverse.resize(n * n);
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        region.inverse[j * n + i] = inverse(j, i);
+    m_work.resize(n * n);
+    for (int i = 0; i < n * n; ++i)
+      m_work[i] = 0.5 * (m_lower[i] + m_upper[i]);
+    if (!invert(n, m_work, region.inverse))
+      return OPEN;
 
-    Eigen::VectorXd value(n);   // of the functions at the centre
-    for (int i = 0; i < n; ++i)
-      value[i] = std::ldexp(m_values[i].mantissa, static_cast<int>((std::max)(-2000L, (std::min)(m_values[i].exponent - region.scale[i], 2000L))));
-    const Eigen::VectorXd step = inverse * value, slack = 0x1p-40 * (inverse.cwiseAbs() * value.cwiseAbs());
-    bool is_mapped_inside = region.contraction < 1;
+    bool is_mapped_inside = true;
+    region.contraction = 0;
     for (int j = 0; j < n; ++j) {
-      const double low = std::abs(step[j]) - slack[j], high = std::abs(step[j]) + slack[j];
-      if (low > 0.5 + 0.5 * sums[j])
+      const double* inverse = region.inverse.data() + j * n;
+      const double sum = contraction_of_row(j, inverse);
+      double step = 0, slack = 0;
+      for (int i = 0; i < n; ++i) {
+        const long exponent = (std::max)(-2000L, (std::min)(m_values[i].exponent - region.scale[i], 2000L));
+        const double value = std::ldexp(m_values[i].mantissa, static_cast<int>(exponent));
+        step += inverse[i] * value;
+        slack += analysis_error * std::abs(inverse[i] * value);
+      }
+      if (std::abs(step) - slack > 0.5 + 0.5 * sum)
         return NO_ROOT;
-      is_mapped_inside = is_mapped_inside && high + 0.5 * sums[j] < 0.5;
+      is_mapped_inside = is_mapped_inside && std::abs(step) + slack + 0.5 * sum < 0.5;
+      region.contraction = (std::max)(region.contraction, sum);
     }
     return is_mapped_inside ? ONE_ROOT : OPEN;
   }
 
 private:
+  // A row sum of |I - C J| over the derivative bounds.
+  double contraction_of_row(int row, const double* inverse) const
+  {
+    const int n = m_layout.dimension;
+    double sum = 0;
+    for (int k = 0; k < n; ++k) {
+      double middle = row == k ? 1 : 0, radius = 0, size = middle;
+      for (int i = 0; i < n; ++i) {
+        const double lower = m_lower[i * n + k], upper = m_upper[i * n + k];
+        middle -= inverse[i] * (0.5 * (lower + upper));
+        radius += std::abs(inverse[i]) * (0.5 * (upper - lower));
+        size += std::abs(inverse[i]) * (std::abs(lower) + std::abs(upper));
+      }
+      sum += std::abs(middle) + radius + analysis_error * size;
+    }
+    return sum;
+  }
+
   // The hull over all pieces that meet the box, each extended to the whole box; the values at its centre on the way.
   void bound_derivatives(Certified_region<Coordinate>& region)
   {
@@ -101,8 +118,8 @@ private:
     for (int j = 0; j < n; ++j)
       m_centre[j] = place_between(region.lower[j], region.upper[j], 0.5);
     m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_centre)), std::span<const Coordinate>(m_centre), m_values);
-    m_lower = Eigen::MatrixXd::Constant(n, n, HUGE_VAL);
-    m_upper = -m_lower;
+    m_lower.assign(n * n, HUGE_VAL);
+    m_upper.assign(n * n, -HUGE_VAL);
     bool is_first = true;
     std::vector<long> scale;
     m_source.visit_cells(std::span<const Coordinate>(region.lower), std::span<const Coordinate>(region.upper), [&](const Cell& cell) {
@@ -115,8 +132,8 @@ private:
       for (int i = 0; i < n; ++i) {
         const int shift = static_cast<int>((std::max)(-2000L, (std::min)(scale[i] - region.scale[i], 2000L)));
         for (int j = 0; j < n; ++j) {
-          m_lower(i, j) = (std::min)(m_lower(i, j), std::ldexp(m_view.derivative_lower(i)[j], shift));
-          m_upper(i, j) = (std::max)(m_upper(i, j), std::ldexp(m_view.derivative_upper(i)[j], shift));
+          m_lower[i * n + j] = (std::min)(m_lower[i * n + j], std::ldexp(m_view.derivative_lower(i)[j], shift));
+          m_upper[i * n + j] = (std::max)(m_upper[i * n + j], std::ldexp(m_view.derivative_upper(i)[j], shift));
         }
       }
     });

@@ -59,6 +59,9 @@ public:
     m_region.upper = node.upper;
     m_region.scale = node.scale;
     m_region.contraction = contraction;
+    m_region.start.resize(n);
+    for (int j = 0; j < n; ++j)
+      m_region.start[j] = linear.centre(j) + 0.5;
     m_region.inverse.clear();
     for (int j = 0; j < n; ++j)
       m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);

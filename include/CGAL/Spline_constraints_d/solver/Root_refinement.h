@@ -27,6 +27,7 @@ struct Certified_region
   std::vector<double> inverse;   // C, unknowns x equalities
   std::vector<long> scale;
   double contraction = 1;
+  std::vector<double> start;     // where to begin, in [0,1]^n; empty: in the middle
 };
 
 template <class Coordinate>
@@ -80,7 +81,7 @@ public:
     m_point.resize(n);
     for (int j = 0; j < n; ++j) {
       m_width[j] = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j])) * (1 + 0x1p-50);
-      m_point[j] = stepped(region.lower[j], 0.5 * m_width[j], bits);
+      m_point[j] = stepped(region.lower[j], (region.start.empty() ? 0.5 : region.start[j]) * m_width[j], bits);
     }
     double best = HUGE_VAL;
     for (int iteration = 0; iteration < 200; ++iteration) {

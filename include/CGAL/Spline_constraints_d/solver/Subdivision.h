@@ -76,6 +76,8 @@ class Subdivision
   std::vector<double> m_rating, m_widths, m_domain_widths, m_no_errors;
   std::vector<Coordinate> m_corner[2];
   Cell m_cell;
+  // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs about two of them.
+  static constexpr double m_fine_contraction = 1e-3;
   double m_tolerance, m_done = 0;
   Undecided_reason m_stop = Undecided_reason::NONE;
   std::chrono::steady_clock::time_point m_deadline, m_last_report;
@@ -228,7 +230,7 @@ private:
         return is_certified ? m_roots.add() : certify_across_break();
       m_trial.restrict_to(m_layout, m_part, 0);
       Image_test result = test_image(m_trial);
-      if (result.verdict == Image_test::OPEN && can_be_sharpened(m_trial)) {
+      if (result.verdict == Image_test::OPEN && !is_certified && can_be_sharpened(m_trial)) {
         rebuild(m_trial);
         result = test_image(m_trial);
       }
@@ -238,7 +240,7 @@ private:
       if (result.verdict == Image_test::ONE_ROOT) {
         m_roots.set_region(m_trial, *image, result.contraction, !is_certified);
         is_certified = true;
-        if (result.contraction < 0.05)
+        if (result.contraction < m_fine_contraction)
           break;
       }
       if (!(result.reach < 0.4))

@@ -74,9 +74,10 @@ struct System_layout
   std::vector<Block> blocks;
   std::vector<std::vector<Block_axis>> blocks_of_axis;
 
+  System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
 
-private:
+  // Lays the blocks one after the other, once their axes, degrees and functions are set.
   void place_blocks();
 };
 

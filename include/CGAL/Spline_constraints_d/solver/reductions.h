@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
 
+#include <CGAL/Spline_constraints_d/solver/Dense_preconditioner.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
@@ -127,6 +128,7 @@ and separable equations are never expanded. A second sweep follows while the lin
 class Preconditioned_reduction
 {
   Projected_polyhedron_reduction m_projection;
+  internal::Dense_preconditioner m_dense;
 
 public:
   //! contracts the box; `false` when it proves that no solution is left.
@@ -136,7 +138,21 @@ public:
       return false;
     if (!m_projection.contract(node, linear, box))
       return false;
+    if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && !contract_dense(node, linear, box))
+      return false;
     return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
+  }
+
+private:
+  bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)
+  {
+    Node_view* preconditioned = m_dense.apply(node);
+    if (preconditioned == nullptr)
+      return true;
+    for (int i = 0; i < preconditioned->equalities(); ++i)
+      if (preconditioned->lower(i) > 0 || preconditioned->upper(i) < 0)
+        return false;
+    return m_projection.contract(*preconditioned, linear, box);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
 
 #include <cmath>
 #include <cstddef>
@@ -213,34 +214,10 @@ inline bool Normal_cone_test::bound_by_ball(Node_view& node, int function, doubl
 
 inline bool Normal_cone_test::tangent_cones_meet_in_origin(int n)
 {
-  // Gauss-Jordan with row pivoting; what it gets wrong is measured afterwards.
-  m_inverse.assign(n * n, 0);
+  m_inverse.resize(n * n);
   m_work = m_axes;
-  for (int i = 0; i < n; ++i)
-    m_inverse[i * n + i] = 1;
-  for (int c = 0; c < n; ++c) {
-    int pivot = c;
-    for (int i = c + 1; i < n; ++i)
-      if (std::abs(m_work[i * n + c]) > std::abs(m_work[pivot * n + c]))
-        pivot = i;
-    if (std::abs(m_work[pivot * n + c]) < 1e-12)
-      return false;
-    for (int k = 0; k < n; ++k) {
-      std::swap(m_work[c * n + k], m_work[pivot * n + k]);
-      std::swap(m_inverse[c * n + k], m_inverse[pivot * n + k]);
-    }
-    const double factor = 1 / m_work[c * n + c];
-    for (int k = 0; k < n; ++k) {
-      m_work[c * n + k] *= factor;
-      m_inverse[c * n + k] *= factor;
-    }
-    for (int i = 0; i < n; ++i)
-      if (const double a = m_work[i * n + c]; i != c && a != 0)
-        for (int k = 0; k < n; ++k) {
-          m_work[i * n + k] -= a * m_work[c * n + k];
-          m_inverse[i * n + k] -= a * m_inverse[c * n + k];
-        }
-  }
+  if (!internal::invert(n, m_work, m_inverse))
+    return false;
   double defect = 0, length_sum = 0;   // Frobenius norm of I - Y V; sum of column lengths of Y times the sines
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DENSE_PRECONDITIONER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DENSE_PRECONDITIONER_H
+
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The control points of C f, formed block by block where all equalities are interleaved in the same blocks: n^2 multiplications per control point. Tighter than the
+affine rows, since the cancellation between the equations happens before the bounds are taken.
+*/
+class Dense_preconditioner
+{
+  const System_layout* m_source = nullptr;
+  bool m_is_applicable = false;
+  std::unique_ptr<System_layout> m_layout;   // the equalities alone
+  std::unique_ptr<Node_view> m_view;
+  std::vector<std::size_t> m_block;          // of the source
+  std::vector<double> m_coefficients, m_errors;
+  std::vector<double> m_work, m_matrix;
+
+public:
+  // The blocks of the system allow it: square, and every block that holds an equality holds them all.
+  bool is_applicable(const System_layout& source)
+  {
+    if (m_source != &source)
+      prepare(source);
+    return m_is_applicable;
+  }
+
+  // The preconditioned equalities as a node of their own; null when the mean slopes are singular. C needs no proof: a solution of f solves C f whatever C is.
+  Node_view* apply(Node_view& node)
+  {
+    const std::size_t n = m_layout->equalities;
+    for (std::size_t i = 0; i < n; ++i)
+      std::copy_n(node.slopes(static_cast<int>(i)), n, m_work.begin() + i * n);
+    if (!invert(static_cast<int>(n), m_work, m_matrix))
+      return nullptr;
+    for (std::size_t b = 0; b < m_block.size(); ++b) {
+      const Block &source = m_source->blocks[m_block[b]], &target = m_layout->blocks[b];
+      multiply(node.coefficients() + source.offset, source.functions.size(), target.points, m_coefficients.data() + target.offset);
+      for (std::size_t j = 0; j < n; ++j) {
+        double error = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+          const std::size_t entry = source.first_error + i;
+          const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
+          error += std::abs(m_matrix[j * n + i]) * (node.errors()[entry] + analysis_error * size);
+        }
+        m_errors[target.first_error + j] = error * (1 + analysis_error);
+      }
+    }
+    m_view->reset(m_coefficients.data(), m_errors.data());
+    return m_view.get();
+  }
+
+private:
+  // to <- C from, control point by control point; sizes known to the compiler where it pays.
+  void multiply(const double* from, std::size_t stride, std::size_t points, double* to) const
+  {
+    switch (m_layout->equalities) {
+    case 2: return multiply_fixed<2>(from, stride, points, to);
+    case 3: return multiply_fixed<3>(from, stride, points, to);
+    case 4: return multiply_fixed<4>(from, stride, points, to);
+    case 5: return multiply_fixed<5>(from, stride, points, to);
+    case 6: return multiply_fixed<6>(from, stride, points, to);
+    default: return multiply_fixed<Eigen::Dynamic>(from, stride, points, to);
+    }
+  }
+
+  template <int n>
+  void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to) const
+  {
+    const Eigen::Index size = m_layout->equalities, columns = static_cast<Eigen::Index>(points);
+    using Matrix = Eigen::Matrix<double, n, n, n == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+    using Points = Eigen::Matrix<double, n, Eigen::Dynamic>;
+    const Eigen::Map<const Matrix> matrix(m_matrix.data(), size, size);
+    const Eigen::Map<const Points, 0, Eigen::OuterStride<>> source(from, size, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+    Eigen::Map<Points>(to, size, columns).noalias() = matrix.lazyProduct(source);
+  }
+
+  void prepare(const System_layout& source)
+  {
+    m_source = &source;
+    m_is_applicable = source.equalities == source.dimension;
+    m_layout = std::make_unique<System_layout>();
+    m_layout->dimension = source.dimension;
+    m_layout->equalities = m_layout->functions = source.equalities;
+    m_block.clear();
+    for (std::size_t b = 0; b < source.blocks.size(); ++b) {
+      Block block = source.blocks[b];
+      std::erase_if(block.functions, [&](int f) { return f >= source.equalities; });
+      if (block.functions.empty())
+        continue;
+      m_is_applicable = m_is_applicable && static_cast<int>(block.functions.size()) == source.equalities;
+      m_layout->blocks.push_back(std::move(block));
+      m_block.push_back(b);
+    }
+    if (!m_is_applicable)
+      return;
+    m_layout->place_blocks();
+    m_view = std::make_unique<Node_view>(*m_layout);
+    m_coefficients.resize(m_layout->size);
+    m_errors.resize(m_layout->errors);
+    m_work.resize(source.equalities * source.equalities);
+    m_matrix.resize(m_work.size());
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DENSE_PRECONDITIONER_H

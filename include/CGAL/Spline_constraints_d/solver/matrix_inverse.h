@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MATRIX_INVERSE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MATRIX_INVERSE_H
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
+false when a pivot vanishes beside the matrix. Whoever uses it measures what it got wrong. `work` is destroyed.
+*/
+inline bool invert(int n, std::vector<double>& work, std::vector<double>& inverse)
+{
+  double largest = 0;
+  for (int i = 0; i < n * n; ++i) {
+    largest = std::abs(work[i]) > largest ? std::abs(work[i]) : largest;
+    inverse[i] = i % (n + 1) == 0 ? 1 : 0;
+  }
+  for (int c = 0; c < n; ++c) {
+    int pivot = c;
+    for (int i = c + 1; i < n; ++i)
+      if (std::abs(work[i * n + c]) > std::abs(work[pivot * n + c]))
+        pivot = i;
+    if (!(std::abs(work[pivot * n + c]) > 1e-14 * largest))
+      return false;
+    for (int k = 0; pivot != c && k < n; ++k) {
+      std::swap(work[c * n + k], work[pivot * n + k]);
+      std::swap(inverse[c * n + k], inverse[pivot * n + k]);
+    }
+    const double factor = 1 / work[c * n + c];
+    for (int k = 0; k < n; ++k) {
+      work[c * n + k] *= factor;
+      inverse[c * n + k] *= factor;
+    }
+    for (int i = 0; i < n; ++i)
+      if (const double a = work[i * n + c]; i != c && a != 0)
+        for (int k = 0; k < n; ++k) {
+          work[i * n + k] -= a * work[c * n + k];
+          inverse[i * n + k] -= a * inverse[c * n + k];
+        }
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MATRIX_INVERSE_H

@@ -1,0 +1,281 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_VERIFY_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_VERIFY_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact_enclosures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+namespace verification {
+
+// Row-major.
+struct Matrix
+{
+  std::size_t rows, columns;
+  std::vector<Exact_rational> entries;
+
+  Matrix(std::size_t rows, std::size_t columns) : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0)) {}
+  Exact_rational& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
+  const Exact_rational& operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
+};
+
+// Gauss-Jordan on (left | right): right becomes left^-1 right. False when left is singular.
+inline bool solve_linear(Matrix& left, Matrix& right)
+{
+  for (std::size_t c = 0; c < left.columns; ++c) {
+    std::size_t pivot = c;
+    while (pivot < left.rows && is_zero(left(pivot, c)))
+      ++pivot;
+    if (pivot == left.rows)
+      return false;
+    const Exact_rational factor = Exact_rational(1) / left(pivot, c);
+    for (Matrix* matrix : {&left, &right})
+      for (std::size_t k = 0; k < matrix->columns; ++k) {
+        std::swap((*matrix)(c, k), (*matrix)(pivot, k));
+        (*matrix)(c, k) *= factor;
+      }
+    for (std::size_t i = 0; i < left.rows; ++i)
+      if (const Exact_rational multiple = left(i, c); i != c && !is_zero(multiple))
+        for (Matrix* matrix : {&left, &right})
+          for (std::size_t k = 0; k < matrix->columns; ++k)
+            if (!is_zero((*matrix)(c, k)))
+              (*matrix)(i, k) -= multiple * (*matrix)(c, k);
+  }
+  return true;
+}
+
+// Any matrix near an inverse serves: digits beyond these only cost time.
+constexpr int digits = 128;
+
+// A left inverse of the middle of a Jacobian, rounded; empty when it has none.
+inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
+{
+  const std::size_t m = jacobian.size(), n = jacobian[0].size();
+  Matrix middle(m, n), inverse(n, m);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      middle(i, j) = round_to_dyadic(Exact_rational((jacobian[i][j].lower + jacobian[i][j].upper) / Exact_rational(2)), digits);
+  Matrix square(n, n);
+  if (m == n) {
+    square = middle;
+    for (std::size_t i = 0; i < n; ++i)
+      inverse(i, i) = Exact_rational(1);
+  } else   // least squares
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        inverse(j, i) = middle(i, j);
+        for (std::size_t k = 0; k < n; ++k)
+          square(j, k) += middle(i, j) * middle(i, k);
+      }
+  if (!solve_linear(square, inverse))
+    return Matrix(0, 0);
+  for (Exact_rational& entry : inverse.entries)
+    entry = round_to_dyadic(entry, digits);
+  return inverse;
+}
+
+inline std::vector<Box> jacobian(const Constraint_system_d& system, const Box& box)
+{
+  std::vector<Box> result;
+  for (const Spline_function& function : system.equalities())
+    result.push_back(derivatives(function, box));
+  return result;
+}
+
+// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B.
+inline Box krawczyk_image(const Constraint_system_d& system, const Box& box, const std::vector<Box>& jacobian, const Matrix& inverse)
+{
+  const std::size_t m = jacobian.size(), n = box.size();
+  const Point centre = middle_of(box), radius = radius_of(box);
+  Box at_centre;
+  for (const Exact_rational& x : centre)
+    at_centre.push_back({x, x});
+  Point value;   // any piece at the centre: the function is continuous
+  for (const Spline_function& function : system.equalities())
+    value.push_back(values(function, at_centre).lower);
+  Box image;
+  for (std::size_t i = 0; i < n; ++i) {
+    Exact_rational middle = centre[i], deviation(0);
+    for (std::size_t k = 0; k < m; ++k)
+      middle -= inverse(i, k) * value[k];
+    for (std::size_t j = 0; j < n; ++j) {
+      Exact_rational entry(i == j ? 1 : 0), spread(0);
+      for (std::size_t k = 0; k < m; ++k) {
+        const Range& range = jacobian[k][j];
+        entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
+        spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
+      }
+      deviation += (absolute(entry) + spread) * radius[j];
+    }
+    image.push_back({Exact_rational(middle - deviation), Exact_rational(middle + deviation)});
+  }
+  return image;
+}
+
+// A slightly larger box of simpler numbers, cut with `outer`.
+inline Box simplified(const Box& box, const Box& outer)
+{
+  const Point centre = middle_of(box), radius = radius_of(box);
+  Box result;
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    const Exact_rational room = radius[j] / Exact_rational(16);
+    const Exact_rational middle = simplest_rational_between(Exact_rational(centre[j] - room), Exact_rational(centre[j] + room));
+    const Exact_rational reach =
+      simplest_rational_between(Exact_rational(radius[j] + room), Exact_rational(radius[j] + room + room));
+    result.push_back({(std::max)(outer[j].lower, Exact_rational(middle - reach)), (std::min)(outer[j].upper, Exact_rational(middle + reach))});
+  }
+  return result;
+}
+
+// All points of the box lie in the domain and satisfy the inequalities.
+inline bool is_admissible(const Constraint_system_d& system, const Box& box)
+{
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    const auto& domain = system.domain(static_cast<int>(j));
+    if (box[j].lower < domain.first || domain.second < box[j].upper)
+      return false;
+  }
+  for (const auto& inequality : system.inequalities()) {
+    const Range range = values(inequality.function, box);
+    if (!is_satisfied(inequality.relation, CGAL::sign(range.lower)) || !is_satisfied(inequality.relation, CGAL::sign(range.upper)))
+      return false;
+  }
+  return true;
+}
+
+// The simplest rational point of a box, as a box.
+inline Box simplest_point(const Box& box)
+{
+  Box result;
+  for (const Range& range : box) {
+    const Exact_rational x = simplest_rational_between(range.lower, range.upper);
+    result.push_back({x, x});
+  }
+  return result;
+}
+
+inline bool satisfies_equalities(const Constraint_system_d& system, const Box& point)
+{
+  return std::all_of(system.equalities().begin(), system.equalities().end(), [&](const Spline_function& function) {
+    const Range range = values(function, point);
+    return is_zero(range.lower) && is_zero(range.upper);
+  });
+}
+
+inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
+{
+  const std::size_t n = box.size(), m = system.equalities().size();
+  if (m < n || !std::all_of(system.equalities().begin(), system.equalities().end(),
+                            [&](const Spline_function& function) { return is_continuous(function, box); }))
+    return false;
+  std::vector<Box> slopes = jacobian(system, box);
+  const Matrix inverse = rounded_left_inverse(slopes);
+  if (inverse.rows == 0)
+    return false;
+  Box image = krawczyk_image(system, box, slopes, inverse);
+  for (std::size_t j = 0; j < n; ++j)
+    if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper)
+      return false;
+
+  // The zero of C F in the box is in the image of every box that holds it: shrink until its place is decided.
+  constexpr int rounds = 4;
+  Box enclosure = box;
+  for (int round = 0; round < rounds; ++round) {
+    enclosure = simplified(image, enclosure);
+    if (m == n && is_admissible(system, enclosure))
+      return true;
+    const Box point = simplest_point(enclosure);
+    if (satisfies_equalities(system, point))
+      return is_admissible(system, point);
+    slopes = jacobian(system, enclosure);
+    image = krawczyk_image(system, enclosure, slopes, inverse);
+  }
+  return false;
+}
+
+inline bool has_rational_solution(const Constraint_system_d& system, Box box)
+{
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    const auto& domain = system.domain(static_cast<int>(j));
+    box[j] = {(std::max)(box[j].lower, domain.first), (std::min)(box[j].upper, domain.second)};
+    if (box[j].upper < box[j].lower)
+      return false;
+  }
+  const Box point = simplest_point(box);
+  return satisfies_equalities(system, point) && is_admissible(system, point);
+}
+
+} // namespace verification
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+proves one answer of the solver once more, from the system and the box of the answer alone, in exact rational arithmetic and sharing no code with the
+subdivision. `true` only when the proof succeeds; `false` says nothing about the system, but no certified answer of the solver is expected to give it.
+
+A *certified* answer with the box \f$B\f$: let \f$y\f$ be the middle and \f$r\f$ the radius of \f$B\f$, \f$J\f$ a matrix of ranges that holds the derivatives on
+\f$B\f$ of all pieces of the equalities \f$F\f$ (Taylor's formula at \f$y\f$), and \f$C\f$ any matrix, here the inverse of the middle of \f$J\f$ in
+rationals of 128 bits. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
+a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
+\f[ K = y - C F(y) + (I - C J)(B - y). \f]
+If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4, 1969; Moore, A test for
+existence of solutions to nonlinear systems, SIAM J. Numer. Anal. 14, 1977), then \f$|I - C J|\, r < r\f$ in every coordinate: the map is a contraction of
+\f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular (Rump, Solving algebraic problems with high accuracy, 1983), and so \f$B\f$
+holds exactly one zero of \f$C F\f$, which is regular; for as many equalities as unknowns \f$C\f$ is regular and this is exactly one zero of
+\f$F\f$. The same operator then shrinks \f$K\f$ until all of it lies in the domain and satisfies the inequalities. When the zero lies on the boundary of one of
+them, or there are more equalities than unknowns, only an exact zero decides: the simplest rational point of \f$K\f$ is tried.
+
+A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
+
+Other kinds of answers carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
+
+Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(n N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients. Independent of the rounding mode.
+
+\param system the system that was solved.
+\param solution the answer; of it, `kind()` and `box()` are used.
+*/
+template <class Coordinate>
+bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& solution)
+{
+  internal::verification::Box box;
+  for (const auto& [lower, upper] : solution.box()) {
+    if constexpr (std::is_floating_point_v<Coordinate>)
+      if (!std::isfinite(lower) || !std::isfinite(upper))
+        return false;
+    if (upper < lower)
+      return false;
+    if constexpr (std::is_floating_point_v<Coordinate>)
+      box.push_back({to_rational(lower), to_rational(upper)});
+    else
+      box.push_back({Exact_rational(lower), Exact_rational(upper)});
+  }
+  if (box.size() != static_cast<std::size_t>(system.dimension()))
+    return false;
+  switch (solution.kind()) {
+  case Solution_kind::CERTIFIED: return internal::verification::has_one_solution(system, box);
+  case Solution_kind::CLUSTER: return internal::verification::has_rational_solution(system, std::move(box));
+  case Solution_kind::CONTINUUM:
+  case Solution_kind::UNDECIDED: break;
+  }
+  return false;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_VERIFY_H
