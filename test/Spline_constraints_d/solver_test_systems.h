@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cmath>
-#include <set>
+#include <concepts>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,12 +29,13 @@ struct Coordinate
 {
   Rational lower, upper;
 
-  Coordinate(const Rational& value) : lower(value), upper(value) {}
-  Coordinate(int value) : Coordinate(Rational(value)) {}
+  // Rationals, integers, and formulas of rationals.
+  template <std::convertible_to<Rational> T>
+  Coordinate(const T& value) : lower(value), upper(lower) {}
   static Coordinate near(double value, double error = 4e-15)
   {
     Coordinate result(Rational(value) - Rational(error));
-    result.upper += Rational(2 * error);
+    result.upper = Rational(value) + Rational(error);
     return result;
   }
 };
@@ -340,7 +341,7 @@ inline Problem lines_tangent_to_spheres()
   return all_known("lines tangent to four spheres", std::move(system), std::move(known));
 }
 
-// Problem 15. A zero of 5 t^5 - 6 t^4 + 1 by Newton's method.
+// Problem 15: x_1 = ... = x_{n-1} = t and x_n = n + 1 - n t with n t^n - (n+1) t^{n-1} + 1 = 0; for odd n there are three such t, 1 among them.
 inline Problem brown(int n, const Rational& half_width)
 {
   const auto x = variables(n);
@@ -354,14 +355,13 @@ inline Problem brown(int n, const Rational& half_width)
     functions.push_back(x[i] + sum - (n + 1));
   functions.push_back(product - 1);
   std::vector<Point> known{Point(n, Coordinate(1))};
-  if (n == 5)
-    for (double t : {0.9163545825, -0.5790430885}) {
-      for (int i = 0; i < 20; ++i)
-        t -= (((5 * t - 6) * t * t * t * t) + 1) / ((25 * t - 24) * t * t * t);
-      Point point(n, Coordinate::near(t, 1e-14));
-      point.back() = Coordinate::near(6 - 5 * t, 1e-13);
-      known.push_back(std::move(point));
-    }
+  for (double t : {0.9, -0.5}) {
+    for (int i = 0; i < 100; ++i)   // Newton
+      t -= ((n * t - (n + 1)) * std::pow(t, n - 1) + 1) / ((n * n * t - (n * n - 1)) * std::pow(t, n - 2));
+    Point point(n, Coordinate::near(t, 1e-13));
+    point.back() = Coordinate::near(n + 1 - n * t, 1e-12);
+    known.push_back(std::move(point));
+  }
   return all_known("Brown " + std::to_string(n), with_equalities(cube(n, -half_width, half_width), functions), std::move(known));
 }
 
@@ -397,7 +397,7 @@ inline Problem katsura_2()
                    known);
 }
 
-// T5 in Bezier pieces on [-1,1] cut at several places, some of them zeros, minus a straight line: a spline that is one polynomial.
+// A polynomial in one unknown in Bezier pieces: a spline that is as smooth as can be.
 inline SC::Spline_function in_pieces(const Polynomial& p, int variable, const std::vector<Rational>& breaks)
 {
   SC::Spline_term term = SC::Spline_function(p).terms().front();
@@ -437,14 +437,14 @@ inline SC::Spline_function polygon(int variable, const std::vector<Rational>& he
   return SC::Spline_function::from_bezier_pieces({variable}, {breaks}, pieces);
 }
 
-// y = a zigzag of x and x = 2 y: a crossing in the kink at (2,1), three between breaks, and a kink at (4,3) that is missed.
+// y = a zigzag of x and x = 2 y: a crossing in the kink at (2,1) and three between kinks.
 inline Problem zigzag()
 {
   const auto x = variables(2);
   System system(std::vector<System::Domain>{{0, 6}, {-1, 5}});
   system.add(polygon(0, {1, -1, 1, 4, 3, 1, 4}) - SC::Spline_function(x[1]), Relation::EQUAL);
   system.add(x[0] - 2 * x[1], Relation::EQUAL);
-  // 1 - 2x = x/2; then (2,1); from (4,3) down, 11 - 2x = x/2; from (5,1) up, -14 + 3x = x/2.
+  // 1 - 2x = x/2 on [0,1], 11 - 2x = x/2 on [4,5], -14 + 3x = x/2 on [5,6]
   return all_known("zigzag", std::move(system),
                    {{fraction(2, 5), fraction(1, 5)}, {2, 1}, {fraction(22, 5), fraction(11, 5)}, {fraction(28, 5), fraction(14, 5)}});
 }

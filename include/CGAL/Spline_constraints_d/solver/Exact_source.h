@@ -41,12 +41,19 @@ class Exact_source
     std::vector<std::vector<Big_integer>> pieces;  // padded to the degrees of the block
   };
 
+  // Where the part of a function in a block lies.
+  struct Place
+  {
+    std::size_t block, member;
+  };
+
   const System_layout& m_layout;
   std::vector<std::vector<Exact_rational>> m_breaks;   // per unknown, empty where no spline has any
   std::vector<Term> m_terms;
   std::vector<std::vector<std::vector<Big_integer>>> m_weights;   // per block and axis: lcm_i C(d,i) / C(d,i)
   std::vector<Big_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
   std::vector<Big_integer> m_values, m_work;
+  std::vector<std::vector<Place>> m_places;   // per function
   Cell m_cell;
 
 public:
@@ -56,6 +63,10 @@ public:
     collect_breaks(system);
     for (int f = 0; f < layout.functions; ++f)
       add_function(function_of(system, f), f);
+    m_places.resize(layout.functions);
+    for (std::size_t b = 0; b < layout.blocks.size(); ++b)
+      for (std::size_t m = 0; m < layout.blocks[b].functions.size(); ++m)
+        m_places[layout.blocks[b].functions[m]].push_back({b, m});
     prepare_binomials();
     m_values.resize(layout.size);
   }
@@ -105,6 +116,19 @@ public:
   void evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values);
 
 private:
+  Big_integer& value_at(const Place& place, std::size_t point)
+  {
+    const Block& block = m_layout.blocks[place.block];
+    return m_values[block.offset + point * block.functions.size() + place.member];
+  }
+
+  void add_to_all(const Place& place, const Big_integer& constant)
+  {
+    for (std::size_t p = 0; p < m_layout.blocks[place.block].points; ++p)
+      value_at(place, p) += constant;
+  }
+
+  void gather_constants(const std::vector<long>& exponents);
   void collect_breaks(const Constraint_system_d& system);
   void add_function(const Spline_function& function, int index);
   void prepare_binomials();
@@ -257,6 +281,8 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
     }
   }
 
+  gather_constants(exponents);
+
   // One scale per function, then the only rounding.
   std::vector<long>& largest = scale;
   largest.assign(m_layout.functions, (std::numeric_limits<long>::min)());
@@ -297,6 +323,29 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
       errors[block.first_error + m] *= 0x1p-50;   // truncation, rounding of the denominator and the division: 3 x 2^-52
     for (std::size_t m = 0; m < members && std::is_same_v<NT, double>; ++m)
       errors[block.first_error + m] += 0x1p-1000; // and what underflows
+  }
+}
+
+// A function that nearly vanishes on a box may be the sum of blocks that do not. Their constant parts cancel here, where it is exact: each block gives (nearly) its
+// first control value to the block with the finest unit, and what is left of it is as small as its variation.
+inline void Exact_source::gather_constants(const std::vector<long>& exponents)
+{
+  for (const std::vector<Place>& places : m_places) {
+    if (places.size() < 2)
+      continue;
+    const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) { return exponents[a.block] < exponents[b.block]; });
+    Big_integer sum(0);   // in units of the home block
+    for (const Place& place : places)
+      if (&place != &home) {
+        Big_integer constant = value_at(place, 0) / m_denominators[place.block];
+        if (constant == 0)
+          continue;
+        add_to_all(place, Big_integer(-constant * m_denominators[place.block]));
+        shift_left(constant, static_cast<unsigned long>(exponents[place.block] - exponents[home.block]));
+        sum += constant;
+      }
+    if (sum != 0)
+      add_to_all(home, Big_integer(sum * m_denominators[home.block]));
   }
 }
 

@@ -48,8 +48,12 @@ inline Exact_rational stepped(const Exact_rational& x, double step, int bits)
   return scaled_rational(scaled, -bits);
 }
 
-inline double resolution(double x, int) { return std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x); }
-inline double resolution(const Exact_rational&, int bits) { return std::ldexp(1.0, -bits); }
+// How close to x a root in a region of some width is sought: a unit in the last place, but not endlessly close to zero; or 2^-bits.
+inline double resolution(double x, double width, int)
+{
+  return (std::max)(std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x), 0x1p-80 * width);
+}
+inline double resolution(const Exact_rational&, double, int bits) { return std::ldexp(1.0, -bits); }
 
 inline double below(double x, double radius) { return std::nextafter(x - radius, -HUGE_VAL); }
 inline double above(double x, double radius) { return std::nextafter(x + radius, HUGE_VAL); }
@@ -101,7 +105,7 @@ public:
     }
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
-      const double radius = 1.5 * best * m_width[j] + resolution(m_best[j], bits);
+      const double radius = 1.5 * best * m_width[j] + resolution(m_best[j], m_width[j], bits);
       result.lower.push_back(below(m_best[j], radius));
       result.upper.push_back(above(m_best[j], radius));
     }
@@ -121,7 +125,7 @@ private:
         const long exponent = m_values[i].exponent - region.scale[i];
         const double value = std::ldexp(m_values[i].mantissa, static_cast<int>((std::max)(-3000L, (std::min)(exponent, 3000L))));
         step += region.inverse[j * m + i] * value;
-        size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-1060);
+        size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
       }
       m_step[j] = step;
       largest = (std::max)(largest, std::abs(step) + 0x1p-44 * size);
@@ -132,7 +136,7 @@ private:
   bool is_fine_enough(double distance, int bits) const
   {
     for (int j = 0; j < m_layout.dimension; ++j)
-      if (distance * m_width[j] > 0.5 * resolution(m_best[j], bits))
+      if (distance * m_width[j] > 0.5 * resolution(m_best[j], m_width[j], bits))
         return false;
     return true;
   }

@@ -330,14 +330,14 @@ private:
     return m_roots.is_covered(m_corner[0], m_corner[1]);
   }
 
-  // Shrinks the node to what the reduction left of it, when that is worth a pass. No axis is made thinner than the tolerance, nor than a small part of
-  // its width at once: an axis that collapses would hide the others.
+  // Shrinks the node to what the reduction left of it, when that is worth a pass. No axis becomes a small part of its width at once: one that collapses would
+  // hide the others.
   bool contract(Node& node)
   {
     constexpr double least_gain = 0.1, thinnest = 0x1p-20;
     double volume = 1;
     for (int j = 0; j < m_layout.dimension; ++j) {
-      const double least = (std::max)(thinnest, 0.5 * least_width(node, j) / width(node, j));
+      const double least = (std::max)(thinnest, finest_width(node, j) / width(node, j));
       if (m_box.width(j) < least) {
         const double centre = 0.5 * (m_box.lower[j] + m_box.upper[j]);
         m_box.lower[j] = (std::max)(-0.5, centre - 0.5 * least);
@@ -352,28 +352,42 @@ private:
     return true;
   }
 
-  // The width at which an axis is not split any more.
+  // Below this width an axis counts as decided.
   double least_width(const Node& node, int j) const
   {
     const double lower = std::abs(CGAL::to_double(node.lower[j])), upper = std::abs(CGAL::to_double(node.upper[j]));
     return m_tolerance * (std::max)({1.0, lower, upper});
   }
 
-  // The best rated axis that is wider than the tolerance; -1 when there is none.
+  // While another axis is wider than the tolerance, an axis may become as thin as this: near y = x^2 a box of width h needs the height h^2.
+  // Doubles end earlier: a box has to stay many units of its last place wide to shrink at all.
+  double finest_width(const Node& node, int j) const
+  {
+    const double finest = m_tolerance * least_width(node, j);
+    if constexpr (std::is_same_v<Coordinate, double>)
+      return (std::max)(finest, 0x1p-46 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])));
+    return finest;
+  }
+
+  // The best rated axis to split; -1 when all axes are narrower than the tolerance or cannot be split.
   int choose_axis(const Node& node)
   {
     const int n = m_layout.dimension;
     m_widths.resize(n);
-    for (int j = 0; j < n; ++j)
+    bool is_open = false;
+    for (int j = 0; j < n; ++j) {
       m_widths[j] = m_domain_widths[j] > 0 ? width(node, j) / m_domain_widths[j] : 0;
+      is_open = is_open || (width(node, j) > least_width(node, j) && node.can_split(j));
+    }
+    if (!is_open)
+      return -1;
     m_splitter.rate(m_analysis.view, m_widths, m_rating);
     int best = -1;
-    for (int j = 0; j < n; ++j) {
-      if (width(node, j) > least_width(node, j) && node.can_split(j) &&
+    for (int j = 0; j < n; ++j)
+      if (width(node, j) > finest_width(node, j) && node.can_split(j) &&
           (best < 0 || m_rating[j] > m_rating[best] * (1 + 1e-9) ||
            (m_rating[j] >= m_rating[best] * (1 - 1e-9) && m_widths[j] > m_widths[best])))
         best = j;
-    }
     return best;
   }
 

@@ -176,35 +176,61 @@ inline bool satisfies_equalities(const Constraint_system_d& system, const Box& p
   });
 }
 
-inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
+inline bool is_inside(const Box& inner, const Box& outer)
+{
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].lower < outer[j].lower || outer[j].upper < inner[j].upper)
+      return false;
+  return true;
+}
+
+// Proves that `hull`, a box around `box`, holds exactly one solution of the equalities, and that it lies in `box` and is admissible.
+inline bool has_one_solution(const Constraint_system_d& system, const Box& hull, const Box& box)
 {
   const std::size_t n = box.size(), m = system.equalities().size();
   if (m < n || !std::all_of(system.equalities().begin(), system.equalities().end(),
-                            [&](const Spline_function& function) { return is_continuous(function, box); }))
+                            [&](const Spline_function& function) { return is_continuous(function, hull); }))
     return false;
-  std::vector<Box> slopes = jacobian(system, box);
+  std::vector<Box> slopes = jacobian(system, hull);
   const Matrix inverse = rounded_left_inverse(slopes);
   if (inverse.rows == 0)
     return false;
-  Box image = krawczyk_image(system, box, slopes, inverse);
+  Box image = krawczyk_image(system, hull, slopes, inverse);
   for (std::size_t j = 0; j < n; ++j)
-    if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper)
+    if (image[j].lower <= hull[j].lower || hull[j].upper <= image[j].upper)
       return false;
 
-  // The zero of C F in the box is in the image of every box that holds it: shrink until its place is decided.
+  // The zero of C F in the hull is in the image of every box that holds it: shrink until its place is decided.
   constexpr int rounds = 4;
-  Box enclosure = box;
+  Box enclosure = hull;
   for (int round = 0; round < rounds; ++round) {
     enclosure = simplified(image, enclosure);
-    if (m == n && is_admissible(system, enclosure))
+    if (m == n && is_inside(enclosure, box) && is_admissible(system, enclosure))
       return true;
     const Box point = simplest_point(enclosure);
     if (satisfies_equalities(system, point))
-      return is_admissible(system, point);
+      return is_inside(point, box) && is_admissible(system, point);
     slopes = jacobian(system, enclosure);
     image = krawczyk_image(system, enclosure, slopes, inverse);
   }
   return false;
+}
+
+// A box that is far thinner on some axes than on others is hard to map into itself, and one with the solution on a face cannot be: a second attempt widens it
+// for the proof.
+inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
+{
+  if (has_one_solution(system, box, box))
+    return true;
+  const Point centre = middle_of(box), radius = radius_of(box);
+  const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
+  const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
+  Box hull;
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    const Exact_rational reach = (std::max)(least, Exact_rational(radius[j] + radius[j]));
+    hull.push_back({Exact_rational(centre[j] - reach), Exact_rational(centre[j] + reach)});
+  }
+  return has_one_solution(system, hull, box);
 }
 
 inline bool has_rational_solution(const Constraint_system_d& system, Box box)
@@ -238,7 +264,8 @@ existence of solutions to nonlinear systems, SIAM J. Numer. Anal. 14, 1977), the
 \f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular (Rump, Solving algebraic problems with high accuracy, 1983), and so \f$B\f$
 holds exactly one zero of \f$C F\f$, which is regular; for as many equalities as unknowns \f$C\f$ is regular and this is exactly one zero of
 \f$F\f$. The same operator then shrinks \f$K\f$ until all of it lies in the domain and satisfies the inequalities. When the zero lies on the boundary of one of
-them, or there are more equalities than unknowns, only an exact zero decides: the simplest rational point of \f$K\f$ is tried.
+them, or there are more equalities than unknowns, only an exact zero decides: the simplest rational point of \f$K\f$ is tried. Should the first
+step fail, it is tried once more on a box around \f$B\f$, and then the shrinking has to end in \f$B\f$.
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
 
