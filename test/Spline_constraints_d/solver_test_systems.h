@@ -355,7 +355,7 @@ inline Problem brown(int n, const Rational& half_width)
     functions.push_back(x[i] + sum - (n + 1));
   functions.push_back(product - 1);
   std::vector<Point> known{Point(n, Coordinate(1))};
-  for (double t : {0.9, -0.5}) {
+  for (double t : {0.8, -0.5}) {
     for (int i = 0; i < 100; ++i)   // Newton
       t -= ((n * t - (n + 1)) * std::pow(t, n - 1) + 1) / ((n * n * t - (n * n - 1)) * std::pow(t, n - 2));
     Point point(n, Coordinate::near(t, 1e-13));

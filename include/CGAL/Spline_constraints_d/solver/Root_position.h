@@ -8,6 +8,8 @@
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 
+#include <algorithm>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -71,6 +73,31 @@ inline Exact_rational evaluate_exactly(const Spline_function& function, const st
   return sum;
 }
 
+// Whether a spline without breaks is zero on the whole hyperplane where an unknown has a value, in exact arithmetic.
+inline bool vanishes_where(const Spline_function& function, int unknown, const Exact_rational& value)
+{
+  std::map<std::vector<std::pair<int, int>>, Exact_rational> sum;   // monomials of the other unknowns
+  for (const Spline_term& term : function.terms()) {
+    if (term.pieces.size() != 1)
+      return false;
+    std::vector<int> k(term.degrees.size(), 0);
+    for (const Exact_rational& coefficient : term.pieces[0]) {
+      Exact_rational factor = coefficient;
+      std::vector<std::pair<int, int>> monomial;
+      for (std::size_t j = 0; j < k.size(); ++j)
+        if (term.variables[j] != unknown && k[j] > 0)
+          monomial.emplace_back(term.variables[j], k[j]);
+        else if (term.variables[j] == unknown)
+          for (int power = 0; power < k[j]; ++power)
+            factor *= value;
+      sum[monomial] += factor;
+      for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
+        k[j] = 0;
+    }
+  }
+  return std::all_of(sum.begin(), sum.end(), [](const auto& entry) { return entry.second == Exact_rational(0); });
+}
+
 enum class Position { INSIDE, OUTSIDE, ON_DOMAIN_BOUNDARY, ON_INEQUALITY, ON_EQUALITY };
 
 /*
@@ -88,6 +115,7 @@ class Root_position
   std::vector<std::pair<double, double>> m_lower, m_upper;   // double enclosures of the ends of the domain
   std::vector<double> m_coefficients, m_errors;
   std::vector<long> m_scale;
+  std::vector<bool> m_is_pinned;   // coordinates that are known to be exactly an end of the domain
   Node_view m_view;
 
 public:
@@ -102,6 +130,7 @@ public:
 
   Position decide(const Certified_region<Coordinate>& region, const Root_enclosure<Coordinate>& enclosure)
   {
+    m_is_pinned.assign(m_layout.dimension, false);
     Position position = position_of(enclosure);
     if (position == Position::INSIDE || position == Position::OUTSIDE)
       return position;
@@ -123,18 +152,42 @@ public:
       if (position == Position::INSIDE || position == Position::OUTSIDE)
         return position;
     }
-    const auto exact = position_of_rational_root(fine);
-    return exact.first ? exact.second : position;
+    if (const auto exact = position_of_rational_root(fine); exact.first)
+      return exact.second;
+    return pin_to_boundary(fine) ? position_of(fine) : position;
   }
 
 private:
+  /*
+  An equality that is zero on the whole face x_j = a, and whose derivative by x_j is not zero in the enclosure, has all its zeros there on that face: 0 = f(x) - f(x
+  with x_j = a) = (x_j - a) times a value of the derivative. Such a coordinate is exactly a. Returns whether there is one.
+  */
+  bool pin_to_boundary(const Root_enclosure<Exact_rational>& enclosure)
+  {
+    using Corner = std::span<const Exact_rational>;
+    m_source.bernstein_coefficients(m_source.cell_of(Corner(enclosure.lower)), Corner(enclosure.lower), Corner(enclosure.upper),
+                                    m_coefficients.data(), m_errors.data(), m_scale);
+    m_view.reset(m_coefficients.data(), m_errors.data());
+    bool has_pinned = false;
+    for (int j = 0; j < m_layout.dimension; ++j)
+      for (const Exact_rational& end : {m_system.domain(j).first, m_system.domain(j).second})
+        if (enclosure.lower[j] < end && end < enclosure.upper[j])
+          for (int i = 0; i < m_layout.equalities; ++i)
+            if ((m_view.derivative_lower(i)[j] > 0 || m_view.derivative_upper(i)[j] < 0) &&
+                vanishes_where(m_system.equalities()[i], j, end)) {
+              m_is_pinned[j] = has_pinned = true;
+              break;
+            }
+    return has_pinned;
+  }
+
   template <class C>
   Position position_of(const Root_enclosure<C>& enclosure)
   {
     bool is_on_boundary = false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const C &lower = enclosure.lower[j], &upper = enclosure.upper[j];
-      if (lower >= C(m_lower[j].second) && upper <= C(m_upper[j].first))
+      if (m_is_pinned[j] || (lower >= C(m_lower[j].second) && upper <= C(m_upper[j].first)))
         continue;
       const Exact_rational lo(lower), hi(upper);
       if (hi < m_system.domain(j).first || m_system.domain(j).second < lo)

@@ -109,7 +109,10 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
     if (roots.is_covered(box.lower, box.upper))
       continue;   // its only root is known
     Solution_kind kind = Solution_kind::UNDECIDED;
+    Undecided_reason reason = box.reason;
     int multiplicity = 0;
+    if (reason == Undecided_reason::TOLERANCE && !is_small(box))
+      reason = Undecided_reason::CONTINUUM;
     if (box.reason == Undecided_reason::TOLERANCE) {
       std::vector<Exact_rational> point;
       for (std::size_t j = 0; j < box.lower.size(); ++j) {
@@ -127,7 +130,7 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
       }
     }
     solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name,
-                           kind == Solution_kind::UNDECIDED ? box.reason : Undecided_reason::NONE, multiplicity);
+                           kind == Solution_kind::CLUSTER ? Undecided_reason::NONE : reason, multiplicity);
   }
 }
 
