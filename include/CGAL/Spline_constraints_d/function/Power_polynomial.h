@@ -269,7 +269,7 @@ public:
   {
     std::vector<std::string> names;
     for (int v = 0, end = m_terms.empty() ? 0 : 1 + largest_variable(); v < end; ++v)
-      names.push_back("x" + std::to_string(v));
+      names.push_back(std::string("x").append(std::to_string(v)));   // g++ 12 warns of "x" + string
     return to_string(names);
   }
 

@@ -223,6 +223,15 @@ class Lowered_node
   std::vector<double> m_coefficients, m_errors;
 
 public:
+  // The bounds per block and function, of what was lowered last.
+  const double* errors([[maybe_unused]] const Box_node<NT>& node) const
+  {
+    if constexpr (std::is_same_v<NT, double>)
+      return node.errors.data();
+    else
+      return m_errors.data();
+  }
+
   void lower(const System_layout& layout, const Box_node<NT>& node, Node_view& view)
   {
     if constexpr (std::is_same_v<NT, double>)

@@ -65,6 +65,7 @@ public:
       return OPEN;
     bound_derivatives(region);
     region.inverse.resize(n * n);
+    region.bounds.resize(n * n);
     m_work.resize(n * n);
     for (int i = 0; i < n * n; ++i)
       m_work[i] = 0.5 * (m_lower[i] + m_upper[i]);
@@ -75,7 +76,9 @@ public:
     region.contraction = 0;
     for (int j = 0; j < n; ++j) {
       const double* inverse = region.inverse.data() + j * n;
-      const double sum = contraction_of_row(j, inverse);
+      const double sum = contraction_row(
+        n, n, j, inverse, [&](int i, int k) { return m_lower[i * n + k]; }, [&](int i, int k) { return m_upper[i * n + k]; },
+        region.bounds.data() + j * n);
       double step = 0, slack = 0;
       for (int i = 0; i < n; ++i) {
         const long exponent = (std::max)(-2000L, (std::min)(m_values[i].exponent - region.scale[i], 2000L));
@@ -92,24 +95,6 @@ public:
   }
 
 private:
-  // A row sum of |I - C J| over the derivative bounds.
-  double contraction_of_row(int row, const double* inverse) const
-  {
-    const int n = m_layout.dimension;
-    double sum = 0;
-    for (int k = 0; k < n; ++k) {
-      double middle = row == k ? 1 : 0, radius = 0, size = middle;
-      for (int i = 0; i < n; ++i) {
-        const double lower = m_lower[i * n + k], upper = m_upper[i * n + k];
-        middle -= inverse[i] * (0.5 * (lower + upper));
-        radius += std::abs(inverse[i]) * (0.5 * (upper - lower));
-        size += std::abs(inverse[i]) * (std::abs(lower) + std::abs(upper));
-      }
-      sum += std::abs(middle) + radius + analysis_error * size;
-    }
-    return sum;
-  }
-
   // The hull over all pieces that meet the box, each extended to the whole box; the values at its centre on the way.
   void bound_derivatives(Certified_region<Coordinate>& region)
   {

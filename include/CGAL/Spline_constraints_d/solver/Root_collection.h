@@ -52,13 +52,15 @@ public:
   double seconds() const { return m_seconds; }
 
   // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
-  void set_region(const Box_node<NT>& node, const Linear_enclosure& linear, double contraction, bool is_first)
+  void set_region(const Box_node<NT>& node, const Linear_enclosure& linear, double contraction, const std::vector<double>& bounds,
+                  bool is_first)
   {
     const int n = linear.dimension(), m = linear.equations();
     m_region.lower = node.lower;
     m_region.upper = node.upper;
     m_region.scale = node.scale;
     m_region.contraction = contraction;
+    m_region.bounds = bounds;
     m_region.start.resize(n);
     for (int j = 0; j < n; ++j)
       m_region.start[j] = linear.centre(j) + 0.5;
@@ -78,17 +80,24 @@ public:
     m_first_upper = region.upper;
   }
 
-  // Refines the root of the region and keeps it unless it is known; true always.
-  bool add()
+  // A tight enclosure of the root of the region.
+  Root_enclosure<Coordinate> refine()
   {
     const auto start = std::chrono::steady_clock::now();
     Root_enclosure<Coordinate> enclosure = m_refinement.refine(m_region, m_precision);
-    if (!is_covered(enclosure.lower, enclosure.upper) && !covers_known_root(enclosure)) {
-      const Position position = m_position.decide(m_region, enclosure);
-      m_roots.push_back({std::move(enclosure), m_first_lower, m_first_upper, position});
-    }
     m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return true;
+    return enclosure;
+  }
+
+  // Keeps the root of the region unless it is known.
+  void add(Root_enclosure<Coordinate> enclosure)
+  {
+    if (is_covered(enclosure.lower, enclosure.upper) || covers_known_root(enclosure))
+      return;
+    const auto start = std::chrono::steady_clock::now();
+    const Position position = m_position.decide(m_region, enclosure);
+    m_roots.push_back({std::move(enclosure), m_first_lower, m_first_upper, position});
+    m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   // The box lies in the region of a known root.

@@ -139,6 +139,7 @@ public:
     exact_region.upper.assign(region.upper.begin(), region.upper.end());
     exact_region.inverse = region.inverse;
     exact_region.scale = region.scale;
+    exact_region.bounds = region.bounds;
     exact_region.contraction = region.contraction;
     Root_refinement<Exact_rational> refinement(m_layout, m_source);
     Root_enclosure<Exact_rational> fine;

@@ -17,8 +17,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what proves it: in the coordinates of the box, |I - C J| <= contraction < 1 for all Jacobians J on it, where row k of C
-acts on the functions scaled by 2^-scale.
+A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what proves it: in the coordinates of the
+box, |I - C J| <= bounds for all Jacobians J on it, with row sums <= contraction < 1, where row k of C acts on the functions scaled by 2^-scale.
 */
 template <class Coordinate>
 struct Certified_region
@@ -26,6 +26,7 @@ struct Certified_region
   std::vector<Coordinate> lower, upper;
   std::vector<double> inverse;   // C, unknowns x equalities
   std::vector<long> scale;
+  std::vector<double> bounds;    // unknowns x unknowns
   double contraction = 1;
   std::vector<double> start;     // where to begin, in [0,1]^n; empty: in the middle
 };
@@ -34,6 +35,7 @@ template <class Coordinate>
 struct Root_enclosure
 {
   std::vector<Coordinate> lower, upper;
+  double error = 0;   // largest half width in units of the resolution
 };
 
 // The step of one unknown: at double precision, or rounded to a dyadic number of `bits` bits after the binary point.
@@ -62,7 +64,8 @@ inline Exact_rational above(const Exact_rational& x, double radius) { return x +
 
 /*
 Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure follows from
-x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates |x* - z| <= |C f(z)| / (1 - contraction).
+x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, with Q >= |I - C J| and q its largest row sum, d = |x* - z| satisfies d <= |C f(z)| / (1 - q) in the
+maximum norm, and then d <= |C f(z)| + Q d axis by axis, which tells thin axes from wide ones.
 */
 template <class Coordinate>
 class Root_refinement
@@ -70,12 +73,12 @@ class Root_refinement
   const System_layout& m_layout;
   Exact_source& m_source;
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_width;
+  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width;
   std::vector<Coordinate> m_point, m_best;
 
 public:
   Root_refinement(const System_layout& layout, Exact_source& source)
-    : m_layout(layout), m_source(source), m_step(layout.dimension), m_width(layout.dimension)
+    : m_layout(layout), m_source(source), m_step(layout.dimension), m_radius(layout.dimension), m_width(layout.dimension)
   {}
 
   // An enclosure of the root of the region; `bits` after the binary point are aimed at where coordinates are rational.
@@ -89,14 +92,14 @@ public:
     }
     double best = HUGE_VAL;
     for (int iteration = 0; iteration < 200; ++iteration) {
-      const double distance = newton_step(region);
-      const bool improves = distance < best;
-      const bool converges = distance < 0.7 * best;
-      if (improves) {
-        best = distance;
+      const double error = newton_step(region, bits);
+      const bool converges = error < 0.95 * best;
+      if (error < best) {
+        best = error;
         m_best = m_point;
+        m_best_radius = m_radius;
       }
-      if (!converges || is_fine_enough(best, bits))
+      if (!converges || best <= 0.5)
         break;
       for (int j = 0; j < n; ++j) {
         m_point[j] = stepped(m_point[j], -m_step[j] * m_width[j], bits);
@@ -105,16 +108,18 @@ public:
     }
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
-      const double radius = 1.5 * best * m_width[j] + resolution(m_best[j], m_width[j], bits);
+      const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
       result.lower.push_back(below(m_best[j], radius));
       result.upper.push_back(above(m_best[j], radius));
     }
+    result.error = best;
     return result;
   }
 
 private:
-  // Fills m_step with C f(point) and returns a bound on the distance of the root from the point, both in box coordinates.
-  double newton_step(const Certified_region<Coordinate>& region)
+  // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the point; returns the largest
+  // of these in units of the resolution.
+  double newton_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = m_layout.dimension, m = m_layout.equalities;
     m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
@@ -122,23 +127,29 @@ private:
     for (int j = 0; j < n; ++j) {
       double step = 0, size = 0;
       for (int i = 0; i < m; ++i) {
-        const long exponent = m_values[i].exponent - region.scale[i];
-        const double value = std::ldexp(m_values[i].mantissa, static_cast<int>((std::max)(-3000L, (std::min)(exponent, 3000L))));
+        const long exponent = (std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L));
+        const double value = std::ldexp(m_values[i].mantissa, static_cast<int>(exponent));
         step += region.inverse[j * m + i] * value;
         size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
       }
       m_step[j] = step;
-      largest = (std::max)(largest, std::abs(step) + 0x1p-44 * size);
+      m_radius[j] = std::abs(step) + 0x1p-44 * size;
+      largest = (std::max)(largest, m_radius[j]);
     }
-    return largest / (1 - region.contraction) * (1 + 0x1p-40);
-  }
-
-  bool is_fine_enough(double distance, int bits) const
-  {
-    for (int j = 0; j < m_layout.dimension; ++j)
-      if (distance * m_width[j] > 0.5 * resolution(m_best[j], m_width[j], bits))
-        return false;
-    return true;
+    m_distance.assign(n, largest / (1 - region.contraction) * (1 + 0x1p-40));
+    for (int sweep = 0; sweep < 3; ++sweep)
+      for (int j = 0; j < n; ++j) {
+        double bound = m_radius[j];
+        for (int k = 0; k < n; ++k)
+          bound += region.bounds[j * n + k] * m_distance[k];
+        m_distance[j] = (std::min)(m_distance[j], bound * (1 + 0x1p-40));
+      }
+    double error = 0;
+    for (int j = 0; j < n; ++j) {
+      m_radius[j] = m_distance[j] * m_width[j] * (1 + 0x1p-40);
+      error = (std::max)(error, m_radius[j] / resolution(m_point[j], m_width[j], bits));
+    }
+    return error;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Box_node.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Piecewise_certification.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
@@ -43,15 +44,6 @@ class Subdivision
 
   enum class Verdict { DONE, CONTRACTED, SPLIT };
 
-  // A node and what is known of it.
-  struct Analysis
-  {
-    Lowered_node<NT> lowered;
-    Node_view view;
-    Linear_enclosure linear;
-    explicit Analysis(const System_layout& layout) : view(layout), linear(layout.dimension, layout.equalities) {}
-  };
-
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
   Exact_source& m_source;
@@ -64,7 +56,7 @@ class Subdivision
   typename Traits::Reduction m_reduction;
   typename Traits::Splitter m_splitter;
 
-  Analysis m_analysis, m_trial_analysis;
+  Node_analysis<Traits> m_analysis, m_trial_analysis;
   Node m_trial;
   Piecewise_certification<NT> m_piecewise;
   Certified_region<Coordinate> m_across;
@@ -72,8 +64,7 @@ class Subdivision
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open;
   std::vector<Relation> m_relations;
-  std::vector<double> m_error_sum;
-  std::vector<double> m_rating, m_widths, m_domain_widths, m_no_errors;
+  std::vector<double> m_rating, m_widths, m_domain_widths;
   std::vector<Coordinate> m_corner[2];
   Cell m_cell;
   // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs about two of them.
@@ -86,8 +77,9 @@ public:
   Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
               Visitor& visitor, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_source(source), m_options(options), m_visitor(visitor), m_roots(roots),
-      m_summary(summary), m_analysis(layout), m_trial_analysis(layout), m_piecewise(layout, source), m_no_errors(layout.errors, 0.0),
-      m_tolerance(options.tolerance)
+      m_summary(summary),
+      m_analysis(layout, source, summary), m_trial_analysis(layout, source, summary),
+      m_piecewise(layout, source),      m_tolerance(options.tolerance)
   {
     m_trial.allocate(layout);
     for (const auto& inequality : system.inequalities())
@@ -108,7 +100,7 @@ public:
     m_domain_widths.resize(m_layout.dimension);
     for (int j = 0; j < m_layout.dimension; ++j)
       m_domain_widths[j] = width(root, j);
-    rebuild(root);
+    m_analysis.rebuild(m_cell, root);
     subdivide(0, 0, share);
   }
 
@@ -159,7 +151,7 @@ private:
 
   Verdict examine(Node& node)
   {
-    analyse(node, m_analysis);
+    m_analysis.look_at(node);
     if (is_excluded(m_analysis.view))
       return Verdict::DONE;
     m_analysis.linear.precondition(m_analysis.view);
@@ -170,21 +162,11 @@ private:
       return Verdict::DONE;
     if (contract(node))
       return Verdict::CONTRACTED;
-    if (is_blurred(node)) {
-      rebuild(node);
+    if (m_analysis.is_blurred(node)) {
+      m_analysis.rebuild(m_cell, node);
       return Verdict::CONTRACTED;
     }
     return Verdict::SPLIT;
-  }
-
-  void analyse(Node& node, Analysis& analysis)
-  {
-    analysis.lowered.lower(m_layout, node, analysis.view);
-    if constexpr (!Traits::tracks_rounding)
-      analysis.view.reset(analysis.view.coefficients(), m_no_errors.data());
-    if constexpr (std::is_same_v<NT, double>)
-      for (std::size_t e = 0; e < m_layout.errors; ++e)
-        node.sizes[e] = (std::max)(std::abs(analysis.view.block_lower(e)), std::abs(analysis.view.block_upper(e)));
   }
 
   // No control point of an equality, or of an inequality, reaches the values that would satisfy it.
@@ -224,29 +206,58 @@ private:
     m_trial.copy_from(node);
     const Linear_enclosure* image = &m_analysis.linear;
     bool is_certified = false;
+    double contraction = HUGE_VAL;
     for (int round = 0; round < 12; ++round) {
-      surround(*image, m_part);
+      surround(m_trial, *image, m_part);
       if (reaches_over_break(m_trial))
-        return is_certified ? m_roots.add() : certify_across_break();
+        return is_certified ? keep_root() : certify_across_break();
       m_trial.restrict_to(m_layout, m_part, 0);
-      Image_test result = test_image(m_trial);
-      if (result.verdict == Image_test::OPEN && !is_certified && can_be_sharpened(m_trial)) {
-        rebuild(m_trial);
-        result = test_image(m_trial);
+      Image_test result = m_trial_analysis.test_image(m_trial);
+      if (result.verdict == Image_test::OPEN && !is_certified && m_trial_analysis.can_be_sharpened(m_trial)) {
+        m_trial_analysis.rebuild(m_cell, m_trial);
+        result = m_trial_analysis.test_image(m_trial);
       }
       if (result.verdict == Image_test::NO_ROOT)
         return true;
       image = &m_trial_analysis.linear;
       if (result.verdict == Image_test::ONE_ROOT) {
-        m_roots.set_region(m_trial, *image, result.contraction, !is_certified);
+        if (result.contraction > 0.9 * contraction)
+          break;   // rounding takes over: the region before serves better
+        m_roots.set_region(m_trial, *image, result.contraction, m_trial_analysis.bounds, !is_certified);
         is_certified = true;
-        if (result.contraction < m_fine_contraction)
+        contraction = result.contraction;
+        if (contraction < m_fine_contraction)
           break;
       }
       if (!(result.reach < 0.4))
         break;
     }
-    return is_certified && m_roots.add();
+    return is_certified && keep_root();
+  }
+
+  // Refines the root of the last region. Where that region is much thinner on one axis than on another, or rounding has blurred its derivatives, a second one is
+  // certified around the first enclosure, small on all axes and with fresh coefficients.
+  bool keep_root()
+  {
+    Root_enclosure<Coordinate> enclosure = m_roots.refine();
+    if (enclosure.error > 16) {
+      for (int j = 0; j < m_layout.dimension; ++j) {
+        const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
+        const double margin = (std::max)(4 * (upper - lower), 0x1p-24 * (std::max)(1.0, std::abs(lower)));
+        m_trial.lower[j] = below(enclosure.lower[j], margin);
+        m_trial.upper[j] = above(enclosure.upper[j], margin);
+      }
+      if (!m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper)) {
+        m_trial_analysis.rebuild(m_cell, m_trial);
+        const Image_test result = m_trial_analysis.test_image(m_trial);
+        if (result.verdict == Image_test::ONE_ROOT) {
+          m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, false);
+          enclosure = m_roots.refine();
+        }
+      }
+    }
+    m_roots.add(std::move(enclosure));
+    return true;
   }
 
   // The part of the node, in m_part, reaches into another cell; its box is left in m_across.
@@ -273,44 +284,21 @@ private:
       return true;
     case Piecewise_certification<NT>::ONE_ROOT:
       m_roots.set_region(m_across);
-      return m_roots.add();
+      m_roots.add(m_roots.refine());
+      return true;
     default:
       return false;
     }
   }
 
-  struct Image_test
-  {
-    enum { NO_ROOT, ONE_ROOT, OPEN } verdict;
-    double contraction, reach;
-  };
-
-  // Applies the Newton operator to the trial box.
-  Image_test test_image(Node& trial)
-  {
-    analyse(trial, m_trial_analysis);
-    Linear_enclosure& image = m_trial_analysis.linear;
-    image.precondition(m_trial_analysis.view);
-    if (!image.has_inverse())
-      return {Image_test::OPEN, HUGE_VAL, HUGE_VAL};
-    bool is_mapped_inside = true;
-    double reach = 0;
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      if (std::abs(image.centre(j)) - image.reach(j) > 0.5)
-        return {Image_test::NO_ROOT, HUGE_VAL, HUGE_VAL};
-      is_mapped_inside = is_mapped_inside && std::abs(image.centre(j)) + image.reach(j) < 0.5;
-      reach = image.reach(j) > reach || std::isnan(image.reach(j)) ? image.reach(j) : reach;
-    }
-    const double contraction = is_mapped_inside ? contraction_bound(m_trial_analysis.view, image) : HUGE_VAL;
-    return {contraction < 1 ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
-  }
-
-  // A box around the image with room to spare: twice its size, and not too thin.
-  void surround(const Linear_enclosure& image, Local_box& part) const
+  // A box around the image with room to spare: twice its size, not too thin, and many units of the last place wide.
+  void surround(const Node& node, const Linear_enclosure& image, Local_box& part) const
   {
     part.reset(m_layout.dimension);
     for (int j = 0; j < m_layout.dimension; ++j) {
-      const double half_width = 2 * image.reach(j) + 0.01;
+      double half_width = 2 * image.reach(j) + 0.01;
+      if constexpr (std::is_same_v<Coordinate, double>)
+        half_width = (std::max)(half_width, 0x1p-40 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])) / width(node, j));
       part.lower[j] = image.centre(j) - half_width;
       part.upper[j] = image.centre(j) + half_width;
     }
@@ -389,39 +377,6 @@ private:
            (m_rating[j] >= m_rating[best] * (1 - 1e-9) && m_widths[j] > m_widths[best])))
         best = j;
     return best;
-  }
-
-  // The rounding error has become visible beside what the equations leave undecided, and starting again from the exact functions would make it smaller.
-  bool is_blurred(const Node& node)
-  {
-    if (!can_be_sharpened(node))
-      return false;
-    m_error_sum.assign(m_layout.functions, 0);
-    for (const Block& block : m_layout.blocks)
-      for (std::size_t m = 0; m < block.functions.size(); ++m)
-        m_error_sum[block.functions[m]] += node.errors[block.first_error + m];
-    return m_analysis.linear.is_blurred_by(m_error_sum);
-  }
-
-  // Some error is well above the rounding of a fresh start.
-  bool can_be_sharpened(const Node& node) const
-  {
-    if constexpr (std::is_same_v<NT, double>)
-      for (std::size_t e = 0; e < m_layout.errors; ++e)
-        if (node.errors[e] > 0x1p-46 * node.sizes[e] && node.errors[e] > 0x1p-900)
-          return true;
-    return false;
-  }
-
-  void rebuild(Node& node)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    m_source.bernstein_coefficients(m_cell, std::span<const Coordinate>(node.lower), std::span<const Coordinate>(node.upper),
-                                    node.coefficients.data(), node.errors.data(), node.scale);
-    for (std::size_t e = 0; e < m_layout.errors; ++e)
-      node.sizes[e] = node.errors[e] * 0x1p50;
-    ++m_summary.restarts;
-    m_summary.rebuild_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
   // Too many boxes that end at the tolerance are the mark of a continuum: it is then covered more and more coarsely.

@@ -49,6 +49,30 @@ inline bool invert(int n, std::vector<double>& work, std::vector<double>& invers
   return true;
 }
 
+/*
+Row j of a bound on |I - C J|, for a row of C and derivative bounds `lower(i, k)`, `upper(i, k)` of m functions by n unknowns: fills n entries and returns
+their sum, in any rounding mode.
+*/
+template <class Lower, class Upper>
+double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
+{
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    double middle = j == k ? 1 : 0, radius = 0, size = middle;
+    for (int i = 0; i < m; ++i) {
+      if (inverse[i] == 0)
+        continue;
+      const double lo = lower(i, k), hi = upper(i, k);
+      middle -= inverse[i] * (0.5 * (lo + hi));
+      radius += std::abs(inverse[i]) * (0.5 * (hi - lo));
+      size += std::abs(inverse[i]) * (std::abs(lo) + std::abs(hi));
+    }
+    entries[k] = std::abs(middle) + radius + 0x1p-44 * size;   // also covers the additions below
+    sum += entries[k];
+  }
+  return sum;
+}
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

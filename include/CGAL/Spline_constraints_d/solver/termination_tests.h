@@ -18,34 +18,22 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A bound on the largest row sum of \f$|I - C\,J|\f$ over all Jacobians \f$J\f$ that the derivative bounds of the node allow, in the node's
-local coordinates; infinite when there is no approximate inverse \f$C\f$. Below one, \f$s \mapsto s - C f(s)\f$ is a contraction of the
-node: it holds at most one solution, and \f$C\f$ is regular. Costs a pass over the coefficients per unknown, then \f$O(n^3)\f$.
+Fills `bounds` with an \f$n \times n\f$ bound (row-major) on \f$|I - C\,J|\f$ over all Jacobians \f$J\f$ that the derivative bounds of the node allow, in the node's local
+coordinates, and returns the largest row sum; infinite when there is no approximate inverse \f$C\f$. Below one, \f$s \mapsto s - C f(s)\f$ is a contraction of
+the node: it holds at most one solution, and \f$C\f$ is regular. Costs a pass over the coefficients per unknown, then \f$O(n^3)\f$.
 */
-inline double contraction_bound(Node_view& node, const Linear_enclosure& linear)
+inline double contraction_bound(Node_view& node, const Linear_enclosure& linear, std::vector<double>& bounds)
 {
   if (!linear.has_inverse())
     return HUGE_VAL;
-  const int n = node.dimension(), m = node.equalities();
+  const int n = node.dimension();
+  bounds.resize(n * n);
   double largest = 0;
-  for (int j = 0; j < n; ++j) {
-    const double* inverse = linear.inverse_row(j);
-    double sum = 0;
-    for (int k = 0; k < n; ++k) {
-      double middle = j == k ? 1 : 0, radius = 0, size = middle;
-      for (int i = 0; i < m; ++i) {
-        if (inverse[i] == 0)
-          continue;
-        const double lower = node.derivative_lower(i)[k], upper = node.derivative_upper(i)[k];
-        middle -= inverse[i] * (0.5 * (lower + upper));
-        radius += std::abs(inverse[i]) * (0.5 * (upper - lower));
-        size += std::abs(inverse[i]) * (std::abs(lower) + std::abs(upper));
-      }
-      sum += std::abs(middle) + radius + internal::analysis_error * size;
-    }
-    largest = sum > largest ? sum : largest;
-    if (!(largest < HUGE_VAL))
-      return HUGE_VAL;
+  for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
+    const double sum = internal::contraction_row(
+      n, node.equalities(), j, linear.inverse_row(j), [&](int i, int k) { return node.derivative_lower(i)[k]; },
+      [&](int i, int k) { return node.derivative_upper(i)[k]; }, bounds.data() + j * n);
+    largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
   }
   return largest;
 }
@@ -59,11 +47,13 @@ The graph-box test with isolated solutions: \f$\|I - C\,J\|_\infty < 1\f$ on the
 */
 class Graph_box_test
 {
+  std::vector<double> m_bounds;
+
 public:
   //! `true` only when the node holds at most one solution.
   bool has_at_most_one_solution(Node_view& node, const Linear_enclosure& linear)
   {
-    return contraction_bound(node, linear) < 1;
+    return contraction_bound(node, linear, m_bounds) < 1;
   }
 };
 

@@ -88,33 +88,28 @@ inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
   return inverse;
 }
 
-inline std::vector<Box> jacobian(const Constraint_system_d& system, const Box& box)
+// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B; empty when the middle of J(B) has no inverse C.
+inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
 {
-  std::vector<Box> result;
-  for (const Spline_function& function : system.equalities())
-    result.push_back(derivatives(function, box));
-  return result;
-}
-
-// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B.
-inline Box krawczyk_image(const Constraint_system_d& system, const Box& box, const std::vector<Box>& jacobian, const Matrix& inverse)
-{
-  const std::size_t m = jacobian.size(), n = box.size();
   const Point centre = middle_of(box), radius = radius_of(box);
   Box at_centre;
   for (const Exact_rational& x : centre)
     at_centre.push_back({x, x});
+  std::vector<Box> jacobian;
   Point value;   // any piece at the centre: the function is continuous
-  for (const Spline_function& function : system.equalities())
+  for (const Spline_function& function : system.equalities()) {
+    jacobian.push_back(derivatives(function, box));
     value.push_back(values(function, at_centre).lower);
+  }
+  const Matrix inverse = rounded_left_inverse(jacobian);
   Box image;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < inverse.rows; ++i) {
     Exact_rational middle = centre[i], deviation(0);
-    for (std::size_t k = 0; k < m; ++k)
+    for (std::size_t k = 0; k < value.size(); ++k)
       middle -= inverse(i, k) * value[k];
-    for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < box.size(); ++j) {
       Exact_rational entry(i == j ? 1 : 0), spread(0);
-      for (std::size_t k = 0; k < m; ++k) {
+      for (std::size_t k = 0; k < value.size(); ++k) {
         const Range& range = jacobian[k][j];
         entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
         spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
@@ -126,8 +121,8 @@ inline Box krawczyk_image(const Constraint_system_d& system, const Box& box, con
   return image;
 }
 
-// A slightly larger box of simpler numbers, cut with `outer`.
-inline Box simplified(const Box& box, const Box& outer)
+// A slightly larger box of simpler numbers.
+inline Box simplified(const Box& box)
 {
   const Point centre = middle_of(box), radius = radius_of(box);
   Box result;
@@ -136,9 +131,37 @@ inline Box simplified(const Box& box, const Box& outer)
     const Exact_rational middle = simplest_rational_between(Exact_rational(centre[j] - room), Exact_rational(centre[j] + room));
     const Exact_rational reach =
       simplest_rational_between(Exact_rational(radius[j] + room), Exact_rational(radius[j] + room + room));
-    result.push_back({(std::max)(outer[j].lower, Exact_rational(middle - reach)), (std::min)(outer[j].upper, Exact_rational(middle + reach))});
+    result.push_back({Exact_rational(middle - reach), Exact_rational(middle + reach)});
   }
   return result;
+}
+
+inline Box intersection(const Box& a, const Box& b)
+{
+  Box result;
+  for (std::size_t j = 0; j < a.size(); ++j)
+    result.push_back({(std::max)(a[j].lower, b[j].lower), (std::min)(a[j].upper, b[j].upper)});
+  return result;
+}
+
+inline bool is_empty(const Box& box)
+{
+  return std::any_of(box.begin(), box.end(), [](const Range& range) { return range.upper < range.lower; });
+}
+
+// The hull of a box and its image and some room around it. What is too thin to be mapped into itself grows.
+inline Box inflated(const Box& box, const Box& image)
+{
+  const Point radius = radius_of(box);
+  const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
+  const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
+  Box hull = box;
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    extend(hull[j], image[j].lower, image[j].upper);
+    const Exact_rational room = least + (hull[j].upper - hull[j].lower) / Exact_rational(8);
+    hull[j] = {Exact_rational(hull[j].lower - room), Exact_rational(hull[j].upper + room)};
+  }
+  return simplified(hull);
 }
 
 // All points of the box lie in the domain and satisfy the inequalities.
@@ -184,63 +207,62 @@ inline bool is_inside(const Box& inner, const Box& outer)
   return true;
 }
 
-// Proves that `hull`, a box around `box`, holds exactly one solution of the equalities, and that it lies in `box` and is admissible.
-inline bool has_one_solution(const Constraint_system_d& system, const Box& hull, const Box& box)
+inline bool is_in_interior(const Box& inner, const Box& outer)
 {
-  const std::size_t n = box.size(), m = system.equalities().size();
-  if (m < n || !std::all_of(system.equalities().begin(), system.equalities().end(),
-                            [&](const Spline_function& function) { return is_continuous(function, hull); }))
-    return false;
-  std::vector<Box> slopes = jacobian(system, hull);
-  const Matrix inverse = rounded_left_inverse(slopes);
-  if (inverse.rows == 0)
-    return false;
-  Box image = krawczyk_image(system, hull, slopes, inverse);
-  for (std::size_t j = 0; j < n; ++j)
-    if (image[j].lower <= hull[j].lower || hull[j].upper <= image[j].upper)
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].lower <= outer[j].lower || outer[j].upper <= inner[j].upper)
       return false;
+  return true;
+}
 
-  // The zero of C F in the hull is in the image of every box that holds it: shrink until its place is decided.
-  constexpr int rounds = 4;
-  Box enclosure = hull;
-  for (int round = 0; round < rounds; ++round) {
-    enclosure = simplified(image, enclosure);
-    if (m == n && is_inside(enclosure, box) && is_admissible(system, enclosure))
+// The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
+inline bool holds_admissible(const Constraint_system_d& system, Box image, const Box& box)
+{
+  // A solution is in the image of every box that holds it: shrink until its place is decided.
+  constexpr int rounds = 6;
+  Box enclosure = image;
+  for (int round = 0; round < rounds && !image.empty(); ++round) {
+    enclosure = intersection(simplified(image), enclosure);
+    if (is_empty(enclosure))
+      return false;
+    if (system.equalities().size() == box.size() && is_inside(enclosure, box) && is_admissible(system, enclosure))
       return true;
     const Box point = simplest_point(enclosure);
     if (satisfies_equalities(system, point))
       return is_inside(point, box) && is_admissible(system, point);
-    slopes = jacobian(system, enclosure);
-    image = krawczyk_image(system, enclosure, slopes, inverse);
+    image = krawczyk_image(system, enclosure);
   }
   return false;
 }
 
-// A box that is far thinner on some axes than on others is hard to map into itself, and one with the solution on a face cannot be: a second attempt widens it
-// for the proof.
 inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
 {
-  if (has_one_solution(system, box, box))
-    return true;
-  const Point centre = middle_of(box), radius = radius_of(box);
-  const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
-  const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
-  Box hull;
-  for (std::size_t j = 0; j < box.size(); ++j) {
-    const Exact_rational reach = (std::max)(least, Exact_rational(radius[j] + radius[j]));
-    hull.push_back({Exact_rational(centre[j] - reach), Exact_rational(centre[j] + reach)});
+  if (system.equalities().size() < box.size())
+    return false;
+  constexpr int attempts = 4;
+  Box hull = box;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    for (const Spline_function& function : system.equalities())
+      if (!is_continuous(function, hull))
+        return false;
+    const Box image = krawczyk_image(system, hull);
+    if (image.empty())
+      return false;
+    if (is_in_interior(image, hull))
+      return holds_admissible(system, image, box);
+    hull = inflated(hull, image);
   }
-  return has_one_solution(system, hull, box);
+  return false;
 }
 
 inline bool has_rational_solution(const Constraint_system_d& system, Box box)
 {
-  for (std::size_t j = 0; j < box.size(); ++j) {
-    const auto& domain = system.domain(static_cast<int>(j));
-    box[j] = {(std::max)(box[j].lower, domain.first), (std::min)(box[j].upper, domain.second)};
-    if (box[j].upper < box[j].lower)
-      return false;
-  }
+  Box domain;
+  for (std::size_t j = 0; j < box.size(); ++j)
+    domain.push_back({system.domain(static_cast<int>(j)).first, system.domain(static_cast<int>(j)).second});
+  box = intersection(box, domain);
+  if (is_empty(box))
+    return false;
   const Box point = simplest_point(box);
   return satisfies_equalities(system, point) && is_admissible(system, point);
 }
@@ -261,17 +283,20 @@ a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
 \f[ K = y - C F(y) + (I - C J)(B - y). \f]
 If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4, 1969; Moore, A test for
 existence of solutions to nonlinear systems, SIAM J. Numer. Anal. 14, 1977), then \f$|I - C J|\, r < r\f$ in every coordinate: the map is a contraction of
-\f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular (Rump, Solving algebraic problems with high accuracy, 1983), and so \f$B\f$
-holds exactly one zero of \f$C F\f$, which is regular; for as many equalities as unknowns \f$C\f$ is regular and this is exactly one zero of
-\f$F\f$. The same operator then shrinks \f$K\f$ until all of it lies in the domain and satisfies the inequalities. When the zero lies on the boundary of one of
-them, or there are more equalities than unknowns, only an exact zero decides: the simplest rational point of \f$K\f$ is tried. Should the first
-step fail, it is tried once more on a box around \f$B\f$, and then the shrinking has to end in \f$B\f$.
+\f$B\f$ in the maximum norm weighted by \f$1/r\f$, all matrices in \f$C J\f$ are regular, and so \f$B\f$ holds exactly one zero of \f$C F\f$, which is regular; for
+as many equalities as unknowns \f$C\f$ is regular and this is exactly one zero of \f$F\f$.
+
+The shape of \f$B\f$ may forbid this: it is very thin on some axes, or its solution lies on a face. Then it is tried on a slightly larger box (the inflation of
+Rump, Solving algebraic problems with high accuracy, 1983), and the solution has to be proved to lie in \f$B\f$.
+
+At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities. When the solution lies on the boundary of one
+of them, or there are more equalities than unknowns, only an exact one decides: the simplest rational point of \f$K\f$ is tried.
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
 
 Other kinds of answers carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
 
-Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(n N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients. Independent of the rounding mode.
+Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few times over. Independent of the rounding mode.
 
 \param system the system that was solved.
 \param solution the answer; of it, `kind()` and `box()` are used.

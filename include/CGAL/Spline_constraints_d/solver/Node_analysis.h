@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_ANALYSIS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_ANALYSIS_H
+
+#include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/termination_tests.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// What the Newton operator says of a box.
+struct Image_test
+{
+  enum Verdict { NO_ROOT, ONE_ROOT, OPEN } verdict;
+  double contraction, reach;
+};
+
+/*
+A node and what is known of it: its bounds, its linear rows and how far rounding has blurred them.
+*/
+template <class Traits>
+class Node_analysis
+{
+  using NT = typename Traits::Number_type;
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+  using Node = Box_node<NT>;
+
+  const System_layout& m_layout;
+  Exact_source& m_source;
+  Summary& m_summary;
+  Lowered_node<NT> m_lowered;
+  std::vector<double> m_error_sum, m_variation, m_no_errors;
+
+public:
+  Node_view view;
+  Linear_enclosure linear;
+  std::vector<double> bounds;   // on |I - C J|, of the last test_image()
+
+  Node_analysis(const System_layout& layout, Exact_source& source, Summary& summary)
+    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0), view(layout),
+      linear(layout.dimension, layout.equalities)
+  {}
+
+  // Looks at a node; its linear rows are formed on demand.
+  void look_at(Node& node)
+  {
+    m_lowered.lower(m_layout, node, view);
+    if constexpr (!Traits::tracks_rounding)
+      view.reset(view.coefficients(), m_no_errors.data());
+    if constexpr (std::is_same_v<NT, double>)
+      for (std::size_t e = 0; e < m_layout.errors; ++e)
+        node.sizes[e] = (std::max)(std::abs(view.block_lower(e)), std::abs(view.block_upper(e)));
+  }
+
+  // Applies the Newton operator to the box of a node: mapped into itself by a contraction, it holds exactly one root of C f; image and box disjoint, none.
+  Image_test test_image(Node& node)
+  {
+    look_at(node);
+    linear.precondition(view);
+    if (!linear.has_inverse())
+      return {Image_test::OPEN, HUGE_VAL, HUGE_VAL};
+    bool is_mapped_inside = true;
+    double reach = 0;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      if (std::abs(linear.centre(j)) - linear.reach(j) > 0.5)
+        return {Image_test::NO_ROOT, HUGE_VAL, HUGE_VAL};
+      is_mapped_inside = is_mapped_inside && std::abs(linear.centre(j)) + linear.reach(j) < 0.5;
+      reach = linear.reach(j) > reach || std::isnan(linear.reach(j)) ? linear.reach(j) : reach;
+    }
+    const double contraction = is_mapped_inside ? contraction_bound(view, linear, bounds) : HUGE_VAL;
+    return {contraction < 1 ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
+  }
+
+  // The rounding error has become visible beside what the equations leave undecided, and starting again from the exact functions would make it smaller.
+  bool is_blurred(const Node& node)
+  {
+    if (!can_be_sharpened(node))
+      return false;
+    m_error_sum.assign(m_layout.functions, 0);
+    const double* errors = m_lowered.errors(node);
+    for (const Block& block : m_layout.blocks)
+      for (std::size_t m = 0; m < block.functions.size(); ++m)
+        m_error_sum[block.functions[m]] += errors[block.first_error + m];
+    return linear.is_blurred_by(m_error_sum);
+  }
+
+  // Some error is well above that of a fresh start, where coefficients are rounded once and are as small as the function varies.
+  bool can_be_sharpened(const Node& node)
+  {
+    m_variation.assign(m_layout.functions, 0);
+    for (const Block& block : m_layout.blocks)
+      for (std::size_t m = 0; m < block.functions.size(); ++m) {
+        const std::size_t entry = block.first_error + m;
+        m_variation[block.functions[m]] += view.block_upper(entry) - view.block_lower(entry);
+      }
+    const double* errors = m_lowered.errors(node);
+    for (const Block& block : m_layout.blocks)
+      for (std::size_t m = 0; m < block.functions.size(); ++m) {
+        const double error = errors[block.first_error + m];
+        if (error > 0x1p-46 * m_variation[block.functions[m]] && error > 0x1p-900)
+          return true;
+      }
+    return false;
+  }
+
+  // Starts again from the exact functions on the box of the node.
+  void rebuild(const Cell& cell, Node& node)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    m_source.bernstein_coefficients(cell, std::span<const Coordinate>(node.lower), std::span<const Coordinate>(node.upper),
+                                    node.coefficients.data(), node.errors.data(), node.scale);
+    for (std::size_t e = 0; e < m_layout.errors; ++e)
+      node.sizes[e] = node.errors[e] * 0x1p50;
+    ++m_summary.restarts;
+    m_summary.rebuild_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_ANALYSIS_H
