@@ -125,6 +125,24 @@ TEST(Verify, Domain)
   EXPECT_TRUE(verify(with_equalities(cube(2, 0, 1), {x * y - 1, x + 2 * y - 3}), certified({{1 - 1e-12, 1 + 1e-12}, {1 - 1e-12, 1 + 1e-12}})));
 }
 
+TEST(Verify, IrrationalPointsOfFaces)
+{
+  const Polynomial parabola = (1 + y) * (x * x - 2) + y;
+  const Answer::Box box{{1.25, 1.5}, {-0.125, 0.25}};
+  const auto verifies = [&](const Polynomial& second, const Rational& lower, const Rational& upper) {
+    return verify(with_equalities(System({{0, 2}, {lower, upper}}), {parabola, second}), certified(box));
+  };
+  for (const Polynomial& second : {y, Polynomial(y * (x + 3)), Polynomial(y * y - 2 * y)}) {
+    EXPECT_TRUE(verifies(second, 0, 1));
+    EXPECT_TRUE(verifies(second, -1, 0));
+    EXPECT_FALSE(verifies(second, Rational(1e-300), 1));
+    EXPECT_FALSE(verifies(second, -1, Rational(-1e-300)));
+  }
+  EXPECT_FALSE(verifies(y - Rational(1e-30), -1, 0));
+  EXPECT_TRUE(verifies(y - Rational(1e-30), 0, 1));
+  EXPECT_FALSE(verifies(y * y, 0, 1));
+}
+
 TEST(Verify, Inequalities)
 {
   const auto verifies = [](const Polynomial& g, Relation relation) {

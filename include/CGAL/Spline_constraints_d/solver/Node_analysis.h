@@ -31,10 +31,9 @@ struct Image_test
 /*
 A node and what is known of it: its bounds, its linear rows and how far rounding has blurred them.
 */
-template <class Traits>
+template <class NT>
 class Node_analysis
 {
-  using NT = typename Traits::Number_type;
   using Coordinate = typename Number_traits<NT>::Coordinate;
   using Node = Box_node<NT>;
 
@@ -43,14 +42,16 @@ class Node_analysis
   Summary& m_summary;
   Lowered_node<NT> m_lowered;
   std::vector<double> m_error_sum, m_variation, m_no_errors;
+  bool m_tracks_rounding;
 
 public:
   Node_view view;
   Linear_enclosure linear;
   std::vector<double> bounds;   // on |I - C J|, of the last test_image()
 
-  Node_analysis(const System_layout& layout, Exact_source& source, Summary& summary)
-    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0), view(layout),
+  // Without `tracks_rounding` the error bounds are left out of everything that the view says.
+  Node_analysis(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
+    : m_layout(layout), m_source(source), m_summary(summary), m_no_errors(layout.errors, 0.0), m_tracks_rounding(tracks_rounding), view(layout),
       linear(layout.dimension, layout.equalities)
   {}
 
@@ -58,7 +59,7 @@ public:
   void look_at(Node& node)
   {
     m_lowered.lower(m_layout, node, view);
-    if constexpr (!Traits::tracks_rounding)
+    if (!m_tracks_rounding)
       view.reset(view.coefficients(), m_no_errors.data());
     if constexpr (std::is_same_v<NT, double>)
       for (std::size_t e = 0; e < m_layout.errors; ++e)
@@ -90,10 +91,10 @@ public:
     if (!can_be_sharpened(node))
       return false;
     m_error_sum.assign(m_layout.functions, 0);
-    const double* errors = m_lowered.errors(node);
-    for (const Block& block : m_layout.blocks)
-      for (std::size_t m = 0; m < block.functions.size(); ++m)
-        m_error_sum[block.functions[m]] += errors[block.first_error + m];
+    visit_errors(node, [&](int f, double error) {
+      m_error_sum[f] += error;
+      return false;
+    });
     return linear.is_blurred_by(m_error_sum);
   }
 
@@ -106,14 +107,7 @@ public:
         const std::size_t entry = block.first_error + m;
         m_variation[block.functions[m]] += view.block_upper(entry) - view.block_lower(entry);
       }
-    const double* errors = m_lowered.errors(node);
-    for (const Block& block : m_layout.blocks)
-      for (std::size_t m = 0; m < block.functions.size(); ++m) {
-        const double error = errors[block.first_error + m];
-        if (error > 0x1p-46 * m_variation[block.functions[m]] && error > 0x1p-900)
-          return true;
-      }
-    return false;
+    return visit_errors(node, [&](int f, double error) { return error > 8 * analysis_error * m_variation[f] && error > 0x1p-900; });
   }
 
   // Starts again from the exact functions on the box of the node.
@@ -126,6 +120,22 @@ public:
       node.sizes[e] = node.errors[e] * 0x1p50;
     ++m_summary.restarts;
     m_summary.rebuild_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+private:
+  // Calls visit(function, error) with the error of every block, that of the analysis included, until it returns true.
+  template <class Visitor>
+  bool visit_errors(const Node& node, const Visitor& visit)
+  {
+    const double* errors = m_lowered.errors(node);
+    for (const Block& block : m_layout.blocks)
+      for (std::size_t m = 0; m < block.functions.size(); ++m) {
+        const std::size_t entry = block.first_error + m;
+        const double size = (std::max)(std::abs(view.block_lower(entry)), std::abs(view.block_upper(entry)));
+        if (visit(block.functions[m], errors[entry] + analysis_error * size))
+          return true;
+      }
+    return false;
   }
 };
 

@@ -72,6 +72,15 @@ public:
     if (!invert(n, m_work, region.inverse))
       return OPEN;
 
+    // The centre is a coordinate, not quite the middle of the box: distances from it reach a little further than one half.
+    double off_centre = 0;
+    for (int j = 0; j < n; ++j) {
+      const double width = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j]));
+      const double place = CGAL::to_double(Coordinate(m_centre[j] - region.lower[j])) / width;
+      off_centre = (std::max)(off_centre, std::abs(place - 0.5) + analysis_error);
+    }
+    const double reach = 0.5 + off_centre;
+
     bool is_mapped_inside = true;
     region.contraction = 0;
     for (int j = 0; j < n; ++j) {
@@ -86,9 +95,9 @@ public:
         step += inverse[i] * value;
         slack += analysis_error * std::abs(inverse[i] * value);
       }
-      if (std::abs(step) - slack > 0.5 + 0.5 * sum)
+      if (std::abs(step) - slack > reach * (1 + sum))
         return NO_ROOT;
-      is_mapped_inside = is_mapped_inside && std::abs(step) + slack + 0.5 * sum < 0.5;
+      is_mapped_inside = is_mapped_inside && std::abs(step) + slack + reach * sum < 0.5 - off_centre;
       region.contraction = (std::max)(region.contraction, sum);
     }
     return is_mapped_inside ? ONE_ROOT : OPEN;

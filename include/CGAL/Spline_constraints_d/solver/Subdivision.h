@@ -56,7 +56,7 @@ class Subdivision
   typename Traits::Reduction m_reduction;
   typename Traits::Splitter m_splitter;
 
-  Node_analysis<Traits> m_analysis, m_trial_analysis;
+  Node_analysis<NT> m_analysis, m_trial_analysis;   // a solution is certified with all errors, whatever the traits say
   Node m_trial;
   Piecewise_certification<NT> m_piecewise;
   Certified_region<Coordinate> m_across;
@@ -78,7 +78,7 @@ public:
               Visitor& visitor, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_source(source), m_options(options), m_visitor(visitor), m_roots(roots),
       m_summary(summary),
-      m_analysis(layout, source, summary), m_trial_analysis(layout, source, summary),
+      m_analysis(layout, source, summary, Traits::tracks_rounding), m_trial_analysis(layout, source, summary, true),
       m_piecewise(layout, source),      m_tolerance(options.tolerance)
   {
     m_trial.allocate(layout);
@@ -136,7 +136,8 @@ private:
       case Verdict::SPLIT:
         const int axis = choose_axis(node);
         if (axis < 0) {
-          leave_open(node, Undecided_reason::TOLERANCE);
+          if (!certify_around(node))
+            leave_open(node, Undecided_reason::TOLERANCE);
           m_done += share;
           return;
         }
@@ -291,6 +292,40 @@ private:
     }
   }
 
+  /*
+  The last attempt for a box at the tolerance: boxes of a few sizes around it, equally wide on all axes and with fresh coefficients. It finds the regular roots whose boxes became
+  so thin on some axis that rounding hid the others. Not for the many boxes of a continuum.
+  */
+  bool certify_around(const Node& node)
+  {
+    if (m_open.size() > 64)
+      return false;
+    for (const double margin : {0x1p-30, 0x1p-20, 0x1p-10}) {
+      for (int j = 0; j < m_layout.dimension; ++j) {
+        const double size = margin * (std::max)(1.0, std::abs(CGAL::to_double(node.lower[j])));
+        m_trial.lower[j] = below(node.lower[j], size);
+        m_trial.upper[j] = above(node.upper[j], size);
+      }
+      if (m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper)) {
+        m_across.lower = m_trial.lower;
+        m_across.upper = m_trial.upper;
+        m_across.start.clear();
+        if (certify_across_break())
+          return true;
+        continue;
+      }
+      m_trial_analysis.rebuild(m_cell, m_trial);
+      const Image_test result = m_trial_analysis.test_image(m_trial);
+      if (result.verdict == Image_test::NO_ROOT)
+        return true;
+      if (result.verdict == Image_test::ONE_ROOT) {
+        m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, true);
+        return keep_root();
+      }
+    }
+    return false;
+  }
+
   // A box around the image with room to spare: twice its size, not too thin, and many units of the last place wide.
   void surround(const Node& node, const Linear_enclosure& image, Local_box& part) const
   {
@@ -322,7 +357,7 @@ private:
   // hide the others.
   bool contract(Node& node)
   {
-    constexpr double least_gain = 0.1, thinnest = 0x1p-20;
+    constexpr double least_gain = 0.1, thinnest = 0x1p-10;
     double volume = 1;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const double least = (std::max)(thinnest, finest_width(node, j) / width(node, j));

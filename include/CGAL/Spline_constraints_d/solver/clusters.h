@@ -97,8 +97,8 @@ bool is_small(const Open_box<Coordinate>& box)
 }
 
 /*
-What the open boxes are: boxes that meet become one. Everything around the group was proved empty, so when its simplest rational point is a root that is
-isolated, or the group is small, it is a cluster; the rest stays undecided.
+What the open boxes are: boxes that meet become one. Everything around the group was proved empty, so when it is small and its simplest rational point is a
+root, it is a cluster; the rest stays undecided.
 */
 template <class NT, class Coordinate>
 void report_open_boxes(const Constraint_system_d& system, const Root_collection<NT>& roots, std::vector<Open_box<Coordinate>>& boxes,
@@ -113,7 +113,7 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
     int multiplicity = 0;
     if (reason == Undecided_reason::TOLERANCE && !is_small(box))
       reason = Undecided_reason::CONTINUUM;
-    if (box.reason == Undecided_reason::TOLERANCE) {
+    if (reason == Undecided_reason::TOLERANCE) {
       std::vector<Exact_rational> point;
       for (std::size_t j = 0; j < box.lower.size(); ++j) {
         const Exact_rational lower = (std::max)(Exact_rational(box.lower[j]), system.domain(static_cast<int>(j)).first);
@@ -123,10 +123,8 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
         point.push_back(simplest_rational_between(lower, upper));
       }
       if (point.size() == box.lower.size() && satisfies(system, point)) {
-        const Local_structure structure = local_structure(system, point);
-        multiplicity = structure.multiplicity;
-        if (structure.is_isolated || is_small(box))
-          kind = Solution_kind::CLUSTER;
+        kind = Solution_kind::CLUSTER;
+        multiplicity = local_structure(system, point).multiplicity;
       }
     }
     solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name,

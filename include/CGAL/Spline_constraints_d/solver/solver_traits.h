@@ -35,7 +35,8 @@ struct Solver_traits
 };
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! plain doubles: the rounding of the subdivision is ignored, so solutions may be missed where it matters. Each solution that is found is certified all the same.
+//! plain doubles: the rounding of the subdivision is ignored, so solutions may be missed where it matters, and `is_complete()` proves nothing. The solutions that
+//! are found are certified with all errors.
 using Fast_solver_traits = Solver_traits<double, Graph_box_test, Preconditioned_reduction, Smear_splitter, false>;
 
 //! \ingroup PkgSplineConstraintsDSolver

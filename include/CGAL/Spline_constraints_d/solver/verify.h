@@ -215,21 +215,47 @@ inline bool is_in_interior(const Box& inner, const Box& outer)
   return true;
 }
 
+/*
+Replaces ranges of the enclosure of a solution by numbers: an equality that is zero wherever x_j = a, and whose derivative by x_j is zero nowhere in the
+enclosure, has all its zeros there at x_j = a, since 0 = f(x) - f(x with x_j = a) = (x_j - a) times a mean of the derivative. Tried are the ends of the domain.
+*/
+inline Box with_exact_coordinates(const Constraint_system_d& system, const Box& enclosure)
+{
+  Box result = enclosure;
+  for (std::size_t j = 0; j < result.size(); ++j)
+    for (const Exact_rational& end : {system.domain(static_cast<int>(j)).first, system.domain(static_cast<int>(j)).second})
+      if (result[j].lower <= end && end <= result[j].upper) {
+        Box face = result;
+        face[j] = {end, end};
+        for (const Spline_function& function : system.equalities()) {
+          const Range value = values(function, face), derivative = derivatives(function, result)[j];
+          if (is_zero(value.lower) && is_zero(value.upper) && CGAL::sign(derivative.lower) * CGAL::sign(derivative.upper) > 0) {
+            result = face;
+            break;
+          }
+        }
+      }
+  return result;
+}
+
 // The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
 inline bool holds_admissible(const Constraint_system_d& system, Box image, const Box& box)
 {
   // A solution is in the image of every box that holds it: shrink until its place is decided.
   constexpr int rounds = 6;
+  const auto is_decided = [&](const Box& enclosure) { return is_inside(enclosure, box) && is_admissible(system, enclosure); };
   Box enclosure = image;
   for (int round = 0; round < rounds && !image.empty(); ++round) {
     enclosure = intersection(simplified(image), enclosure);
     if (is_empty(enclosure))
       return false;
-    if (system.equalities().size() == box.size() && is_inside(enclosure, box) && is_admissible(system, enclosure))
+    const bool is_square = system.equalities().size() == box.size();
+    if (is_square && is_decided(enclosure))
       return true;
-    const Box point = simplest_point(enclosure);
-    if (satisfies_equalities(system, point))
-      return is_inside(point, box) && is_admissible(system, point);
+    if (const Box point = simplest_point(enclosure); satisfies_equalities(system, point))
+      return is_decided(point);
+    if (is_square && is_decided(with_exact_coordinates(system, enclosure)))
+      return true;
     image = krawczyk_image(system, enclosure);
   }
   return false;
@@ -290,7 +316,8 @@ The shape of \f$B\f$ may forbid this: it is very thin on some axes, or its solut
 Rump, Solving algebraic problems with high accuracy, 1983), and the solution has to be proved to lie in \f$B\f$.
 
 At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities. When the solution lies on the boundary of one
-of them, or there are more equalities than unknowns, only an exact one decides: the simplest rational point of \f$K\f$ is tried.
+of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried, and whether an equality
+that is zero on a whole face of the domain puts the solution there.
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
 
