@@ -24,7 +24,9 @@ class Parse_error
   int m_line, m_column;
 
 public:
+  //! \param file the name of the file, as it was given to the reader.
   //! \param line,column where the offending text begins, counted from 1; both 0 when the file could not be read at all.
+  //! \param message what is wrong.
   //! \param text the offending text; empty for the end of the file.
   Parse_error(std::string file, int line, int column, std::string message, std::string text)
     : Invalid_input(full_message(file, line, column, message, text)), m_file(std::move(file)), m_message(std::move(message)),
