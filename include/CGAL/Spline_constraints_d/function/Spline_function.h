@@ -63,7 +63,11 @@ public:
   //! the function that is zero everywhere.
   Spline_function() = default;
 
+  //! most coefficients that one piece of a term may have.
+  static constexpr std::size_t maximal_piece_size = std::size_t(1) << 22;
+
   //! splits a polynomial into terms that share no unknown (the connected components of "occurs in one monomial with").
+  //! \throws Invalid_input when the dense tensor of a term would have more than `maximal_piece_size` coefficients.
   Spline_function(const Power_polynomial& polynomial);
 
   //! a single term.
@@ -184,6 +188,14 @@ inline Spline_function::Spline_function(const Power_polynomial& polynomial)
   }
   if (m_terms.empty())
     m_terms.emplace_back();   // a constant: a term without unknowns
+  for (const Spline_term& term : m_terms) {
+    double size = 1;
+    for (int d : term.degrees)
+      size *= d + 1.0;
+    if (size > static_cast<double>(maximal_piece_size))
+      throw Invalid_input("Spline_function: a polynomial in " + std::to_string(term.variables.size()) +
+                          " connected unknowns has too many coefficients as a dense tensor");
+  }
   for (Spline_term& term : m_terms)
     term.pieces.assign(1, std::vector<Exact_rational>(term.piece_size(), Exact_rational(0)));
 

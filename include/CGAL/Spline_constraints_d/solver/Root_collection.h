@@ -89,10 +89,29 @@ public:
     return enclosure;
   }
 
+  // A known root whose enclosure meets another one.
+  const Found_root<Coordinate>* root_that_meets(const Root_enclosure<Coordinate>& enclosure) const
+  {
+    for (const auto& root : m_roots) {
+      bool meets = true;
+      for (std::size_t j = 0; j < enclosure.lower.size() && meets; ++j)
+        meets = enclosure.lower[j] <= root.enclosure.upper[j] && root.enclosure.lower[j] <= enclosure.upper[j];
+      if (meets)
+        return &root;
+    }
+    return nullptr;
+  }
+
+  // Whether the root of the region, in this enclosure, is a known one.
+  bool is_known(const Root_enclosure<Coordinate>& enclosure) const
+  {
+    return is_covered(enclosure.lower, enclosure.upper) || covers_known_root(enclosure);
+  }
+
   // Keeps the root of the region unless it is known.
   void add(Root_enclosure<Coordinate> enclosure)
   {
-    if (is_covered(enclosure.lower, enclosure.upper) || covers_known_root(enclosure))
+    if (is_known(enclosure))
       return;
     const auto start = std::chrono::steady_clock::now();
     const Position position = m_position.decide(m_region, enclosure);
@@ -122,14 +141,8 @@ private:
   // The region of the new root holds the enclosure of a known one, which then is the same.
   bool covers_known_root(const Root_enclosure<Coordinate>& enclosure) const
   {
-    for (const auto& root : m_roots) {
-      bool meets = true;
-      for (std::size_t j = 0; j < enclosure.lower.size() && meets; ++j)
-        meets = enclosure.lower[j] <= root.enclosure.upper[j] && root.enclosure.lower[j] <= enclosure.upper[j];
-      if (meets && contains(m_first_lower, m_first_upper, root.enclosure.lower, root.enclosure.upper))
-        return true;
-    }
-    return false;
+    const auto* known = root_that_meets(enclosure);
+    return known != nullptr && contains(m_first_lower, m_first_upper, known->enclosure.lower, known->enclosure.upper);
   }
 };
 

@@ -82,6 +82,8 @@ public:
       m_piecewise(layout, source),      m_tolerance(options.tolerance)
   {
     m_trial.allocate(layout);
+    m_across.lower.resize(layout.dimension);
+    m_across.upper.resize(layout.dimension);
     for (const auto& inequality : system.inequalities())
       m_relations.push_back(inequality.relation);
     m_last_report = std::chrono::steady_clock::now();
@@ -257,8 +259,26 @@ private:
         }
       }
     }
-    m_roots.add(std::move(enclosure));
+    if (!meets_same_root(enclosure))
+      m_roots.add(std::move(enclosure));
     return true;
+  }
+
+  // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
+  bool meets_same_root(const Root_enclosure<Coordinate>& enclosure)
+  {
+    const auto* known = m_roots.is_known(enclosure) ? nullptr : m_roots.root_that_meets(enclosure);
+    if (known == nullptr)
+      return false;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const Coordinate lower = (std::min)(known->enclosure.lower[j], enclosure.lower[j]);
+      const Coordinate upper = (std::max)(known->enclosure.upper[j], enclosure.upper[j]);
+      const double margin = 8 * CGAL::to_double(Coordinate(upper - lower));
+      m_across.lower[j] = below(lower, margin);
+      m_across.upper[j] = above(upper, margin);
+    }
+    m_across.start.clear();
+    return m_piecewise.certify(m_across) == Piecewise_certification<NT>::ONE_ROOT;
   }
 
   // The part of the node, in m_part, reaches into another cell; its box is left in m_across.
@@ -269,8 +289,6 @@ private:
       has_breaks = has_breaks || m_source.breaks(j).size() > 2;
     if (!has_breaks)
       return false;
-    m_across.lower.resize(m_layout.dimension);
-    m_across.upper.resize(m_layout.dimension);
     for (int j = 0; j < m_layout.dimension; ++j) {
       m_across.lower[j] = place_below(node.lower[j], node.upper[j], m_part.lower[j] + 0.5);
       m_across.upper[j] = place_above(node.lower[j], node.upper[j], m_part.upper[j] + 0.5);
@@ -428,7 +446,7 @@ private:
       return true;
     if (m_options.node_limit > 0 && m_summary.nodes > m_options.node_limit)
       m_stop = Undecided_reason::NODES;
-    else if (m_summary.nodes % 64 == 0) {
+    else if (m_summary.nodes % (std::is_same_v<NT, double> ? 32 : 1) == 0) {
       const auto now = std::chrono::steady_clock::now();
       if (m_options.time_limit > 0 && now >= m_deadline)
         m_stop = Undecided_reason::TIME;
