@@ -7,9 +7,10 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+#include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -73,36 +74,12 @@ inline Exact_rational evaluate_exactly(const Spline_function& function, const st
   return sum;
 }
 
-// Whether a spline without breaks is zero on the whole hyperplane where an unknown has a value, in exact arithmetic.
-inline bool vanishes_where(const Spline_function& function, int unknown, const Exact_rational& value)
-{
-  std::map<std::vector<std::pair<int, int>>, Exact_rational> sum;   // monomials of the other unknowns
-  for (const Spline_term& term : function.terms()) {
-    if (term.pieces.size() != 1)
-      return false;
-    std::vector<int> k(term.degrees.size(), 0);
-    for (const Exact_rational& coefficient : term.pieces[0]) {
-      Exact_rational factor = coefficient;
-      std::vector<std::pair<int, int>> monomial;
-      for (std::size_t j = 0; j < k.size(); ++j)
-        if (term.variables[j] != unknown && k[j] > 0)
-          monomial.emplace_back(term.variables[j], k[j]);
-        else if (term.variables[j] == unknown)
-          for (int power = 0; power < k[j]; ++power)
-            factor *= value;
-      sum[monomial] += factor;
-      for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
-        k[j] = 0;
-    }
-  }
-  return std::all_of(sum.begin(), sum.end(), [](const auto& entry) { return entry.second == Exact_rational(0); });
-}
-
 enum class Position { INSIDE, OUTSIDE, ON_DOMAIN_BOUNDARY, ON_INEQUALITY, ON_EQUALITY };
 
 /*
 Decides whether the root in an enclosure lies in the domain and satisfies the inequalities: by the enclosure at hand, by the simplest rational
-point in it (if that is a root, it is *the* root, and everything is decided exactly), and by the same two for enclosures of 200 and 800 bits.
+point in it (if that is a root, it is *the* root, and everything is decided exactly), and by the same two for enclosures of 200 and 800 bits. Last, by those
+of its coordinates that are rational.
 */
 template <class NT>
 class Root_position
@@ -115,7 +92,7 @@ class Root_position
   std::vector<std::pair<double, double>> m_lower, m_upper;   // double enclosures of the ends of the domain
   std::vector<double> m_coefficients, m_errors;
   std::vector<long> m_scale;
-  std::vector<bool> m_is_pinned;   // coordinates that are known to be exactly an end of the domain
+  Partial_point m_values;   // coordinates that are known exactly
   Node_view m_view;
 
 public:
@@ -130,7 +107,7 @@ public:
 
   Position decide(const Certified_region<Coordinate>& region, const Root_enclosure<Coordinate>& enclosure)
   {
-    m_is_pinned.assign(m_layout.dimension, false);
+    m_values.assign(m_layout.dimension, std::nullopt);
     Position position = position_of(enclosure);
     if (position == Position::INSIDE || position == Position::OUTSIDE)
       return position;
@@ -155,42 +132,20 @@ public:
     }
     if (const auto exact = position_of_rational_root(fine); exact.first)
       return exact.second;
-    return pin_to_boundary(fine) ? position_of(fine) : position;
+    m_values = rational_coordinates(m_system, exact_region, fine);
+    return position_of(fine);
   }
 
 private:
-  /*
-  An equality that is zero on the whole face x_j = a, and whose derivative by x_j is not zero in the enclosure, has all its zeros there on that face: 0 = f(x) - f(x
-  with x_j = a) = (x_j - a) times a value of the derivative. Such a coordinate is exactly a. Returns whether there is one.
-  */
-  bool pin_to_boundary(const Root_enclosure<Exact_rational>& enclosure)
-  {
-    using Corner = std::span<const Exact_rational>;
-    m_source.bernstein_coefficients(m_source.cell_of(Corner(enclosure.lower)), Corner(enclosure.lower), Corner(enclosure.upper),
-                                    m_coefficients.data(), m_errors.data(), m_scale);
-    m_view.reset(m_coefficients.data(), m_errors.data());
-    bool has_pinned = false;
-    for (int j = 0; j < m_layout.dimension; ++j)
-      for (const Exact_rational& end : {m_system.domain(j).first, m_system.domain(j).second})
-        if (enclosure.lower[j] < end && end < enclosure.upper[j])
-          for (int i = 0; i < m_layout.equalities; ++i)
-            if ((m_view.derivative_lower(i)[j] > 0 || m_view.derivative_upper(i)[j] < 0) &&
-                vanishes_where(m_system.equalities()[i], j, end)) {
-              m_is_pinned[j] = has_pinned = true;
-              break;
-            }
-    return has_pinned;
-  }
-
   template <class C>
   Position position_of(const Root_enclosure<C>& enclosure)
   {
     bool is_on_boundary = false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const C &lower = enclosure.lower[j], &upper = enclosure.upper[j];
-      if (m_is_pinned[j] || (lower >= C(m_lower[j].second) && upper <= C(m_upper[j].first)))
+      if (lower >= C(m_lower[j].second) && upper <= C(m_upper[j].first))
         continue;
-      const Exact_rational lo(lower), hi(upper);
+      const Exact_rational lo = m_values[j] ? *m_values[j] : Exact_rational(lower), hi = m_values[j] ? *m_values[j] : Exact_rational(upper);
       if (hi < m_system.domain(j).first || m_system.domain(j).second < lo)
         return Position::OUTSIDE;
       is_on_boundary = is_on_boundary || lo < m_system.domain(j).first || m_system.domain(j).second < hi;
@@ -210,7 +165,7 @@ private:
           const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
           if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
             is_excluded_here = true;
-          if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)))
+          if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)) && !is_satisfied_by_values(f, relation))
             (is_equality ? is_on_equality : is_on_inequality) = true;
         }
         is_excluded = is_excluded && is_excluded_here;
@@ -222,6 +177,15 @@ private:
            : is_on_inequality ? Position::ON_INEQUALITY
            : is_on_equality   ? Position::ON_EQUALITY
                               : Position::INSIDE;
+  }
+
+  // The known coordinates alone decide the function.
+  bool is_satisfied_by_values(int f, Relation relation) const
+  {
+    if (std::none_of(m_values.begin(), m_values.end(), [](const auto& value) { return value.has_value(); }))
+      return false;
+    const auto polynomial = restricted(function_of(m_system, f), m_values);
+    return polynomial && polynomial->is_constant() && is_satisfied(relation, CGAL::sign(polynomial->constant_term()));
   }
 
   std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure) const

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The solver over problems, policies and number types.
+//
+// Names are problem/policy or problem/number type. Counters: certified roots, clusters and undecided boxes, nodes, nanoseconds per node (of
+// the whole run), and whether the answer is complete (1) or not (0). A run ends after 20 s or 3 million nodes.
+// The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns.
+//
+// Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
+
+#include "benchmark_systems.h"
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+
+#include <benchmark/benchmark.h>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace solver_benchmark;
+using SC::Solution_kind;
+
+using Cone = SC::Solver_traits<double, SC::Normal_cone_test>;
+using Bisection = SC::Solver_traits<double, SC::Graph_box_test, SC::No_reduction>;
+using Bisection_and_cone = SC::Solver_traits<double, SC::Normal_cone_test, SC::No_reduction>;
+using Projected = SC::Solver_traits<double, SC::Graph_box_test, SC::Projected_polyhedron_reduction>;
+using Widest = SC::Solver_traits<double, SC::Graph_box_test, SC::Preconditioned_reduction, SC::Widest_splitter>;
+
+SC::Solver_options limits()
+{
+  SC::Solver_options options;
+  options.time_limit = 20;
+  options.node_limit = 3000000;
+  return options;
+}
+
+// CPU time of this thread: the clock of Google Benchmark is read between iterations only.
+double seconds_of_thread()
+{
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+template <class Traits>
+void solve(benchmark::State& state, const System& system)
+{
+  const SC::Subdivision_solver_d<Traits> solver(limits());
+  typename SC::Subdivision_solver_d<Traits>::Solution_set solutions;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(solutions = solver(system));
+  using benchmark::Counter;
+  const double nodes = static_cast<double>(solutions.summary().nodes);
+  state.counters["roots"] = static_cast<double>(solutions.count(Solution_kind::CERTIFIED));
+  state.counters["clusters"] = static_cast<double>(solutions.count(Solution_kind::CLUSTER));
+  state.counters["undecided"] = static_cast<double>(solutions.count(Solution_kind::UNDECIDED));
+  state.counters["nodes"] = nodes;
+  state.counters["ns_per_node"] = Counter(nodes * 1e-9, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["complete"] = solutions.is_complete();
+}
+
+// Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians.
+void certified_to_fast(benchmark::State& state, const System& system)
+{
+  std::vector<double> certified, fast;
+  const auto run = [&](const auto& solver, std::vector<double>& times) {
+    const double start = seconds_of_thread();
+    benchmark::DoNotOptimize(solver(system));
+    times.push_back(seconds_of_thread() - start);
+  };
+  const SC::Subdivision_solver_d<SC::Certified_solver_traits> certified_solver(limits());
+  const SC::Subdivision_solver_d<SC::Fast_solver_traits> fast_solver(limits());
+  for (auto _ : state) {
+    run(certified_solver, certified);
+    run(fast_solver, fast);
+  }
+  const auto median = [](std::vector<double>& times) {
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+  };
+  const double certified_time = median(certified), fast_time = median(fast);
+  state.counters["certified_ms"] = 1000 * certified_time;
+  state.counters["fast_ms"] = 1000 * fast_time;
+  state.counters["certified_to_fast"] = certified_time / fast_time;
+}
+
+using Run = void (*)(benchmark::State&, const System&);
+
+using Variants = std::vector<std::pair<std::string, Run>>;
+
+void add(const Named_system& problem, const Variants& variants)
+{
+  for (const auto& [variant, run] : variants)
+    benchmark::RegisterBenchmark((problem.name + '/' + variant).c_str(), run, problem.system)->Unit(benchmark::kMillisecond);
+}
+
+const Variants standard{{"certified", solve<SC::Certified_solver_traits>}};
+
+const Variants policies{{"default", solve<SC::Certified_solver_traits>},
+                        {"normal_cone", solve<Cone>},
+                        {"no_reduction", solve<Bisection>},
+                        {"no_reduction_normal_cone", solve<Bisection_and_cone>},
+                        {"projected_polyhedron", solve<Projected>},
+                        {"widest", solve<Widest>}};
+
+const Variants number_types{{"fast", solve<SC::Fast_solver_traits>},
+                            {"certified", solve<SC::Certified_solver_traits>},
+                            {"interval", solve<SC::Interval_solver_traits>}};
+
+const Variants exact_number_types{{"multiprecision", solve<SC::Multiprecision_solver_traits>},
+                                  {"exact", solve<SC::Exact_solver_traits>}};
+
+const Variants ratio{{"certified_to_fast", certified_to_fast}};
+
+bool add_all()
+{
+  for (int n : {4, 6, 8, 20})
+    add(broyden(n), standard);
+  for (int n : {4, 5})
+    add(katsura(n), standard);
+  for (int degree : {9, 16, 20, 24, 30})
+    add(chebyshev_curves(degree), standard);
+  for (const auto& [n, degree] : {std::pair(4, 3), std::pair(6, 2), std::pair(8, 2)})
+    add(cyclic(n, degree), standard);
+  for (const auto& [n, degree] : {std::pair(2, 8), std::pair(3, 3), std::pair(4, 2), std::pair(4, 3), std::pair(5, 2)})
+    add(mixed(n, degree), standard);
+  for (const Named_system& problem : {brown(5), circle_and_hyperbola(), griewank_osborne(), two_pairs_of_lines(), wiggly_splines(), random_splines()})
+    add(problem, standard);
+
+  for (Named_system problem : {cyclic(2, 8), cyclic(4, 3), mixed(4, 2), mixed(5, 2), broyden(6), katsura(4)}) {
+    problem.name = "policies/" + problem.name;
+    add(problem, policies);
+  }
+  for (Named_system problem : {mixed(2, 8), mixed(3, 3), mixed(4, 2), mixed(4, 3)}) {
+    problem.name = "numbers/" + problem.name;
+    add(problem, number_types);
+  }
+  for (Named_system problem : {mixed(2, 8), mixed(3, 3), broyden(4), circle_and_hyperbola()}) {
+    problem.name = "numbers/" + problem.name;
+    add(problem, exact_number_types);
+  }
+  for (Named_system problem : {mixed(2, 8), mixed(3, 3), mixed(4, 2), mixed(4, 3)}) {
+    problem.name = "ratio/" + problem.name;
+    add(problem, ratio);
+  }
+  return true;
+}
+
+[[maybe_unused]] const bool is_added = add_all();
+
+} // namespace

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_BENCHMARK_BENCHMARK_SYSTEMS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_BENCHMARK_BENCHMARK_SYSTEMS_H
+
+#include "../../test/Spline_constraints_d/solver_test_systems.h"
+
+#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Systems that the benchmarks solve, beyond those of the tests.
+namespace solver_benchmark {
+
+namespace SC = CGAL::Spline_constraints;
+using solver_test::Polynomial;
+using solver_test::Rational;
+using solver_test::Relation;
+using solver_test::square;
+using solver_test::System;
+
+// What has a name for the table. The builders of the tests come with the solutions, which are not needed here.
+struct Named_system
+{
+  std::string name;
+  System system;
+};
+
+inline Named_system named(std::string name, const solver_test::Problem& problem) { return {std::move(name), problem.system}; }
+
+inline Named_system broyden(int n) { return named("broyden/" + std::to_string(n), solver_test::broyden_tridiagonal(n)); }
+
+inline Named_system cyclic(int n, int degree)
+{
+  return named("cyclic/" + std::to_string(n) + '/' + std::to_string(degree), solver_test::cyclic_chebyshev(n, degree));
+}
+
+inline Named_system mixed(int n, int degree)
+{
+  return named("mixed/" + std::to_string(n) + '/' + std::to_string(degree), solver_test::mixed_chebyshev(n, degree));
+}
+
+// The N^2 intersections of the curves y = T_N(x) and x = T_N(y).
+inline Named_system chebyshev_curves(int degree)
+{
+  return named("chebyshev_curves/" + std::to_string(degree), solver_test::cyclic_chebyshev(2, degree));
+}
+
+inline Named_system brown(int n)
+{
+  return named("brown/" + std::to_string(n), solver_test::brown(n, Rational(100000000)));
+}
+
+// Katsura's equations with n + 1 unknowns: sum over l of u_|l| u_|m-l| = u_m for m = 0..n-1, and sum of u_|l| = 1.
+inline Named_system katsura(int n)
+{
+  const std::vector<Polynomial> u = solver_test::variables(n + 1);
+  std::vector<Polynomial> functions{-1 + u[0]};
+  for (int l = 1; l <= n; ++l)
+    functions[0] += 2 * u[l];
+  for (int m = 0; m < n; ++m) {
+    Polynomial f = -u[m];
+    for (int l = -n; l <= n; ++l)
+      if (std::abs(m - l) <= n)
+        f += u[std::abs(l)] * u[std::abs(m - l)];
+    functions.push_back(std::move(f));
+  }
+  const Rational side = solver_test::fraction(3, 2);
+  return {"katsura/" + std::to_string(n), solver_test::with_equalities(solver_test::cube(n + 1, -side, side), functions)};
+}
+
+// Two double roots.
+inline Named_system circle_and_hyperbola()
+{
+  const auto v = solver_test::variables(2);
+  return {"cluster/circle_and_hyperbola",
+          solver_test::with_equalities(solver_test::cube(2, -3, 3), {square(v[0]) + square(v[1]) - 2, v[0] * v[1] - 1})};
+}
+
+// A triple root (Griewank and Osborne) and one of multiplicity four, both in the origin.
+inline Named_system griewank_osborne()
+{
+  const auto v = solver_test::variables(2);
+  return {"cluster/griewank_osborne",
+          solver_test::with_equalities(solver_test::cube(2, -3, 3),
+                                       {29 * pow(v[0], 3) / 16 - 2 * v[0] * v[1], v[1] - square(v[0])})};
+}
+
+inline Named_system two_pairs_of_lines()
+{
+  const auto v = solver_test::variables(2);
+  return {"cluster/two_pairs_of_lines",
+          solver_test::with_equalities(solver_test::cube(2, -3, 3), {square(v[0]) - square(v[1]), v[0] * v[1]})};
+}
+
+// A coordinate function of a clamped uniform cubic B-spline curve.
+inline SC::Spline_function cubic_spline(int variable, const std::vector<Rational>& control)
+{
+  std::vector<Rational> knots(4, Rational(0));
+  const int pieces = static_cast<int>(control.size()) - 3;
+  for (int k = 1; k < pieces; ++k)
+    knots.push_back(Rational(k));
+  knots.resize(knots.size() + 4, Rational(pieces));
+  const SC::Bspline_function<Rational> spline({3}, {knots}, control);
+  return SC::Spline_function::from_bezier_pieces({variable}, {spline.breaks(0)}, spline.bezier_pieces());
+}
+
+using Control_polygon = std::vector<std::pair<Rational, Rational>>;
+
+inline System spline_curves(const Control_polygon& a, const Control_polygon& b)
+{
+  std::vector<Rational> ax, ay, bx, by;
+  for (const auto& [x, y] : a) {
+    ax.push_back(x);
+    ay.push_back(y);
+  }
+  for (const auto& [x, y] : b) {
+    bx.push_back(-x);
+    by.push_back(-y);
+  }
+  System system(std::vector<System::Domain>{{0, Rational(static_cast<int>(a.size()) - 3)}, {0, Rational(static_cast<int>(b.size()) - 3)}});
+  system.add(cubic_spline(0, ax) + cubic_spline(1, bx), Relation::EQUAL);
+  system.add(cubic_spline(0, ay) + cubic_spline(1, by), Relation::EQUAL);
+  return system;
+}
+
+// A zigzag of 12 control points and its transpose.
+inline Named_system wiggly_splines()
+{
+  Control_polygon a, b;
+  for (int i = 0; i < 12; ++i) {
+    a.emplace_back(Rational(i), Rational(i % 2 == 0 ? -11 : 22));
+    b.emplace_back(a.back().second, a.back().first);
+  }
+  return {"splines/wiggly", spline_curves(a, b)};
+}
+
+// 12 random control points each.
+inline Named_system random_splines()
+{
+  std::mt19937_64 engine(2);
+  const auto random = [&] { return Rational(static_cast<int>(engine() % 2001) - 1000) / Rational(1000); };
+  Control_polygon curves[2];
+  for (Control_polygon& curve : curves)
+    for (int i = 0; i < 12; ++i) {
+      const Rational x = random();
+      curve.emplace_back(x, random());
+    }
+  return {"splines/random", spline_curves(curves[0], curves[1])};
+}
+
+} // namespace solver_benchmark
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_BENCHMARK_BENCHMARK_SYSTEMS_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_RATIONAL_COORDINATES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_RATIONAL_COORDINATES_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Piecewise_certification.h>
+#include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Values of some of the unknowns.
+using Partial_point = std::vector<std::optional<Exact_rational>>;
+
+// A spline without breaks as a polynomial in the unknowns that have no value, numbered in their order; nothing when it has breaks.
+inline std::optional<Power_polynomial> restricted(const Spline_function& function, const Partial_point& values)
+{
+  std::vector<int> rank(values.size(), 0);
+  for (std::size_t v = 1; v < values.size(); ++v)
+    rank[v] = rank[v - 1] + (values[v - 1] ? 0 : 1);
+  Power_polynomial result;
+  for (const Spline_term& term : function.terms()) {
+    if (term.pieces.size() != 1)
+      return std::nullopt;
+    std::vector<int> k(term.degrees.size(), 0);
+    for (const Exact_rational& coefficient : term.pieces[0]) {
+      if (coefficient != Exact_rational(0)) {
+        Power_polynomial product(coefficient);
+        for (std::size_t j = 0; j < k.size(); ++j)
+          if (k[j] > 0) {
+            const int v = term.variables[j];
+            product *= pow(values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]), k[j]);
+          }
+        result += product;
+      }
+      for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
+        k[j] = 0;
+    }
+  }
+  return result;
+}
+
+/*
+The coordinates of a root that are rational, by a proof: those whose (very narrow) enclosure holds a short rational take that value, the equalities that become zero are dropped, and the others
+must have exactly one root in the remaining unknowns. It lies in the region of the root, which holds no other: so the values are exact.
+*/
+inline Partial_point rational_coordinates(const Constraint_system_d& system, const Certified_region<Exact_rational>& region,
+                                          const Root_enclosure<Exact_rational>& enclosure)
+{
+  constexpr long longest = 64;   // bits of numerator and denominator, beside some hundred bits that the enclosure fixes
+  const std::size_t n = enclosure.lower.size();
+  const Partial_point none(n);
+  Partial_point values(n);
+  Certified_region<Exact_rational> rest;
+  std::vector<Constraint_system_d::Domain> domain;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Exact_rational width = enclosure.upper[j] - enclosure.lower[j];
+    const Exact_rational lower = enclosure.lower[j] - width, upper = enclosure.upper[j] + width;
+    if (lower < region.lower[j] || region.upper[j] < upper)
+      return none;
+    const Exact_rational value = simplest_rational_between(enclosure.lower[j], enclosure.upper[j]);
+    if (bit_length(numerator_of(value)) + bit_length(denominator_of(value)) <= longest)
+      values[j] = value;
+    else {
+      rest.lower.push_back(lower);
+      rest.upper.push_back(upper);
+      domain.emplace_back(lower, upper);
+    }
+  }
+  if (domain.empty() || domain.size() == n)
+    return none;
+  Constraint_system_d remaining(domain);
+  for (const Spline_function& function : system.equalities()) {
+    const auto polynomial = restricted(function, values);
+    if (!polynomial || (polynomial->is_constant() && !polynomial->is_zero()))
+      return none;
+    if (!polynomial->is_zero())
+      remaining.add(*polynomial, Relation::EQUAL);
+  }
+  const System_layout layout(remaining);
+  Exact_source source(remaining, layout);
+  Piecewise_certification<Exact_rational> certification(layout, source);
+  return certification.certify(rest) == Piecewise_certification<Exact_rational>::ONE_ROOT ? values : none;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_RATIONAL_COORDINATES_H
