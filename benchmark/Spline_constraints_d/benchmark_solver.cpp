@@ -3,8 +3,9 @@
 
 // The solver over problems, policies and number types.
 //
-// Names are problem/policy or problem/number type. Counters: certified roots, clusters and undecided boxes, nodes, nanoseconds per node (of
-// the whole run), and whether the answer is complete (1) or not (0). A run ends after 20 s or 3 million nodes.
+// Names are problem/policy or problem/number type. Counters: certified roots, clusters and undecided boxes, nodes, time per node (of the whole
+// run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup, rebuilding and refinement of roots in
+// the time. A run ends after 20 s or 3 million nodes.
 // The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns.
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
@@ -55,16 +56,27 @@ void solve(benchmark::State& state, const System& system)
 {
   const SC::Subdivision_solver_d<Traits> solver(limits());
   typename SC::Subdivision_solver_d<Traits>::Solution_set solutions;
-  for (auto _ : state)
+  double total = 0, setup = 0, rebuilding = 0, refinement = 0;
+  for (auto _ : state) {
     benchmark::DoNotOptimize(solutions = solver(system));
+    total += solutions.summary().seconds;
+    setup += solutions.summary().setup_seconds;
+    rebuilding += solutions.summary().rebuild_seconds;
+    refinement += solutions.summary().refinement_seconds;
+  }
   using benchmark::Counter;
-  const double nodes = static_cast<double>(solutions.summary().nodes);
+  const SC::Summary& summary = solutions.summary();
+  const double nodes = static_cast<double>(summary.nodes);
   state.counters["roots"] = static_cast<double>(solutions.count(Solution_kind::CERTIFIED));
   state.counters["clusters"] = static_cast<double>(solutions.count(Solution_kind::CLUSTER));
   state.counters["undecided"] = static_cast<double>(solutions.count(Solution_kind::UNDECIDED));
   state.counters["nodes"] = nodes;
-  state.counters["ns_per_node"] = Counter(nodes * 1e-9, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["time_per_node"] = Counter(nodes, Counter::kIsIterationInvariantRate | Counter::kInvert);
   state.counters["complete"] = solutions.is_complete();
+  state.counters["rebuilds"] = static_cast<double>(summary.restarts);
+  state.counters["setup"] = setup / total;
+  state.counters["rebuilding"] = rebuilding / total;
+  state.counters["refinement"] = refinement / total;
 }
 
 // Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians.

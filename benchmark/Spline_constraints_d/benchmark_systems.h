@@ -144,7 +144,7 @@ inline Named_system wiggly_splines()
 inline Named_system random_splines()
 {
   std::mt19937_64 engine(2);
-  const auto random = [&] { return Rational(static_cast<int>(engine() % 2001) - 1000) / Rational(1000); };
+  const auto random = [&] { return solver_test::fraction(static_cast<int>(engine() % 2001) - 1000, 1000); };
   Control_polygon curves[2];
   for (Control_polygon& curve : curves)
     for (int i = 0; i < 12; ++i) {

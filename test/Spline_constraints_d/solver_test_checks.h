@@ -107,9 +107,9 @@ auto solve_with(const System& system, const SC::Solver_options& options = {})
 }
 
 template <class Traits>
-void check(const Problem& problem)
+void check(const Problem& problem, const SC::Solver_options& options = {})
 {
-  expect_solved(problem, solve_with<Traits>(problem.system));
+  expect_solved(problem, solve_with<Traits>(problem.system, options));
 }
 
 } // namespace solver_test

@@ -397,17 +397,25 @@ inline Problem katsura_2()
                    known);
 }
 
+// A spline of one unknown that is the k-th polynomial between breaks k and k + 1. The polynomials may use any one unknown.
+inline SC::Spline_function piecewise(int variable, const std::vector<Rational>& breaks, const std::vector<Polynomial>& polynomials)
+{
+  std::vector<SC::Bernstein_tensor<Rational>> pieces;
+  for (std::size_t k = 0; k < polynomials.size(); ++k) {
+    const SC::Spline_term term = SC::Spline_function(polynomials[k]).terms().front();
+    std::vector<std::pair<Rational, Rational>> box;
+    if (!term.degrees.empty())
+      box.emplace_back(breaks[k], breaks[k + 1]);
+    const auto piece = SC::Bernstein_tensor<Rational>::from_power_on_box(term.degrees, term.pieces[0], box);
+    pieces.push_back(term.degrees.empty() ? SC::Bernstein_tensor<Rational>::constant(1, term.pieces[0][0]) : piece);
+  }
+  return SC::Spline_function::from_bezier_pieces({variable}, {breaks}, pieces);
+}
+
 // A polynomial in one unknown in Bezier pieces: a spline that is as smooth as can be.
 inline SC::Spline_function in_pieces(const Polynomial& p, int variable, const std::vector<Rational>& breaks)
 {
-  SC::Spline_term term = SC::Spline_function(p).terms().front();
-  term.variables = {variable};
-  std::vector<SC::Bernstein_tensor<Rational>> pieces;
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const std::vector<std::pair<Rational, Rational>> box{{breaks[k], breaks[k + 1]}};
-    pieces.push_back(SC::Bernstein_tensor<Rational>::from_power_on_box(term.degrees, term.pieces[0], box));
-  }
-  return SC::Spline_function::from_bezier_pieces({variable}, {breaks}, pieces);
+  return piecewise(variable, breaks, std::vector<Polynomial>(breaks.size() - 1, p));
 }
 
 // Problem 1 for two unknowns with every equation cut at breaks, zero and 1/2 among them.

@@ -74,6 +74,12 @@ public:
   // Breaks of all splines on an unknown, within its domain; empty when there are none.
   const std::vector<Exact_rational>& breaks(int unknown) const { return m_breaks[unknown]; }
 
+  // Some unknown has a break inside its domain.
+  bool has_breaks() const
+  {
+    return std::any_of(m_breaks.begin(), m_breaks.end(), [](const auto& breaks) { return breaks.size() > 2; });
+  }
+
   // The cell that holds a point; beyond the domain the nearest one.
   template <class Coordinate>
   const Cell& cell_of(std::span<const Coordinate> point)

@@ -98,7 +98,7 @@ public:
     return linear.is_blurred_by(m_error_sum);
   }
 
-  // Some error is well above that of a fresh start, where coefficients are rounded once and are as small as the function varies.
+  // The error of some equality is well above that of a fresh start, where coefficients are rounded once and, near a root, as small as the function varies.
   bool can_be_sharpened(const Node& node)
   {
     m_variation.assign(m_layout.functions, 0);
@@ -129,7 +129,7 @@ private:
   {
     const double* errors = m_lowered.errors(node);
     for (const Block& block : m_layout.blocks)
-      for (std::size_t m = 0; m < block.functions.size(); ++m) {
+      for (std::size_t m = 0; m < block.functions.size() && block.functions[m] < m_layout.equalities; ++m) {
         const std::size_t entry = block.first_error + m;
         const double size = (std::max)(std::abs(view.block_lower(entry)), std::abs(view.block_upper(entry)));
         if (visit(block.functions[m], errors[entry] + analysis_error * size))

@@ -30,6 +30,7 @@ struct Open_box
 {
   std::vector<Coordinate> lower, upper;
   Undecided_reason reason;
+  Cell cell;
 };
 
 /*
@@ -42,7 +43,7 @@ class Subdivision
   using Coordinate = typename Number_traits<NT>::Coordinate;
   using Node = Box_node<NT>;
 
-  enum class Verdict { DONE, CONTRACTED, SPLIT };
+  enum class Verdict { DONE, CONTRACTED, REBUILT, SPLIT };
 
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
@@ -96,6 +97,38 @@ public:
   void run(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
   {
     m_cell = cell;
+    start(lower, upper, share);
+  }
+
+  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  /*
+  Goes on with a finer tolerance in the open boxes that hold no solution by the look of it: `holds_solution(box)` tells the others. Beside a root that is not regular some boxes end at
+  the tolerance just before they would be excluded.
+  */
+  template <class Predicate>
+  void resume(const Predicate& holds_solution)
+  {
+    constexpr std::size_t most_boxes = 256;
+    const double tolerance = m_tolerance;
+    for (int pass = 0; pass < 3 && !m_open.empty() && m_open.size() <= most_boxes && m_stop == Undecided_reason::NONE; ++pass) {
+      m_tolerance /= 64;
+      std::vector<Open_box<Coordinate>> boxes;
+      boxes.swap(m_open);
+      for (Open_box<Coordinate>& box : boxes)
+        if (box.reason != Undecided_reason::TOLERANCE || holds_solution(box))
+          m_open.push_back(std::move(box));
+        else {
+          m_cell = box.cell;
+          start(box.lower, box.upper, 0);
+        }
+    }
+    m_tolerance = tolerance;
+  }
+
+private:
+  void start(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
+  {
     Node& root = level(0);
     root.lower = lower;
     root.upper = upper;
@@ -106,9 +139,6 @@ public:
     subdivide(0, 0, share);
   }
 
-  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
-
-private:
   Node& level(std::size_t index)
   {
     while (m_nodes.size() <= index)
@@ -122,18 +152,21 @@ private:
   void subdivide(std::size_t index, int depth, double share)
   {
     Node& node = level(index);
-    for (;;) {
+    for (bool is_fresh = false;;) {
       ++m_summary.nodes;
       m_summary.depth = (std::max)(m_summary.depth, depth);
       if (must_stop()) {
         leave_open(node, m_stop);
         return;
       }
-      switch (examine(node)) {
+      const Verdict verdict = examine(node, is_fresh);
+      is_fresh = verdict == Verdict::REBUILT;
+      switch (verdict) {
       case Verdict::DONE:
         m_done += share;
         return;
       case Verdict::CONTRACTED:
+      case Verdict::REBUILT:
         break;
       case Verdict::SPLIT:
         const int axis = choose_axis(node);
@@ -152,7 +185,8 @@ private:
     }
   }
 
-  Verdict examine(Node& node)
+  // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.
+  Verdict examine(Node& node, bool is_fresh)
   {
     m_analysis.look_at(node);
     if (is_excluded(m_analysis.view))
@@ -165,9 +199,9 @@ private:
       return Verdict::DONE;
     if (contract(node))
       return Verdict::CONTRACTED;
-    if (m_analysis.is_blurred(node)) {
+    if (!is_fresh && m_analysis.is_blurred(node)) {
       m_analysis.rebuild(m_cell, node);
-      return Verdict::CONTRACTED;
+      return Verdict::REBUILT;
     }
     return Verdict::SPLIT;
   }
@@ -284,10 +318,7 @@ private:
   // The part of the node, in m_part, reaches into another cell; its box is left in m_across.
   bool reaches_over_break(const Node& node)
   {
-    bool has_breaks = false;
-    for (int j = 0; j < m_layout.dimension; ++j)
-      has_breaks = has_breaks || m_source.breaks(j).size() > 2;
-    if (!has_breaks)
+    if (!m_source.has_breaks())
       return false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       m_across.lower[j] = place_below(node.lower[j], node.upper[j], m_part.lower[j] + 0.5);
@@ -435,7 +466,7 @@ private:
   // Too many boxes that end at the tolerance are the mark of a continuum: it is then covered more and more coarsely.
   void leave_open(const Node& node, Undecided_reason reason)
   {
-    m_open.push_back({node.lower, node.upper, reason});
+    m_open.push_back({node.lower, node.upper, reason, m_cell});
     if (reason == Undecided_reason::TOLERANCE && m_open.size() % m_options.coarsening_step == 0)
       m_tolerance *= 32;
   }

@@ -139,6 +139,8 @@ Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visi
     subdivision.run(cell, lower, upper, 1.0 / static_cast<double>(cells));
   }
 
+  subdivision.resume([&](const auto& box) { return !internal::rational_solution_in(system, box).empty(); });
+
   std::vector<typename Solution_set::Solution> solutions;
   internal::report_roots<Number_type>(roots, solutions);
   internal::report_open_boxes<Number_type>(system, roots, subdivision.open_boxes(), solutions);

@@ -96,6 +96,21 @@ bool is_small(const Open_box<Coordinate>& box)
   return true;
 }
 
+// The simplest rational point of a box and the domain when it solves the system; empty otherwise.
+template <class Coordinate>
+std::vector<Exact_rational> rational_solution_in(const Constraint_system_d& system, const Open_box<Coordinate>& box)
+{
+  std::vector<Exact_rational> point;
+  for (std::size_t j = 0; j < box.lower.size(); ++j) {
+    const Exact_rational lower = (std::max)(Exact_rational(box.lower[j]), system.domain(static_cast<int>(j)).first);
+    const Exact_rational upper = (std::min)(Exact_rational(box.upper[j]), system.domain(static_cast<int>(j)).second);
+    if (upper < lower)
+      return {};
+    point.push_back(simplest_rational_between(lower, upper));
+  }
+  return satisfies(system, point) ? point : std::vector<Exact_rational>();
+}
+
 /*
 What the open boxes are: boxes that meet become one. Everything around the group was proved empty, so when it is small and its simplest rational point is a
 root, it is a cluster; the rest stays undecided.
@@ -113,22 +128,14 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
     int multiplicity = 0;
     if (reason == Undecided_reason::TOLERANCE && !is_small(box))
       reason = Undecided_reason::CONTINUUM;
-    if (reason == Undecided_reason::TOLERANCE) {
-      std::vector<Exact_rational> point;
-      for (std::size_t j = 0; j < box.lower.size(); ++j) {
-        const Exact_rational lower = (std::max)(Exact_rational(box.lower[j]), system.domain(static_cast<int>(j)).first);
-        const Exact_rational upper = (std::min)(Exact_rational(box.upper[j]), system.domain(static_cast<int>(j)).second);
-        if (upper < lower)
-          break;
-        point.push_back(simplest_rational_between(lower, upper));
-      }
-      if (point.size() == box.lower.size() && satisfies(system, point)) {
+    if (reason == Undecided_reason::TOLERANCE)
+      if (const auto point = rational_solution_in(system, box); !point.empty()) {
         kind = Solution_kind::CLUSTER;
+        reason = Undecided_reason::NONE;
         multiplicity = local_structure(system, point).multiplicity;
       }
-    }
-    solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name,
-                           kind == Solution_kind::CLUSTER ? Undecided_reason::NONE : reason, multiplicity);
+    solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name, reason,
+                           multiplicity);
   }
 }
 

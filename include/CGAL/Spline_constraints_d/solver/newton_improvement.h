@@ -31,10 +31,10 @@ Why `improve_point()` stopped. The step is the least-norm Newton step at the poi
 coordinate.
 */
 enum class Newton_status {
-  CONVERGED,       ///< all equalities vanish exactly; or no entry of the step exceeds a unit in the last place of its coordinate; or the step is tiny and lowers the residual no further
+  CONVERGED,       ///< all equalities vanish exactly; or no entry of the step exceeds a unit in the last place of its coordinate, or \f$2^{-80}\f$ times the largest coordinate; or the step is tiny and lowers the residual no further
   STAGNATED,       ///< the step is not tiny, and neither it nor any of its halves down to \f$2^{-12}\f$ lowers the residual as a linear function would by half
-  SINGULAR,        ///< the Jacobian, rows scaled to largest entry 1, has smaller numerical rank than there are equalities
-  LEFT_DOMAIN,     ///< the step, not tiny, leads out of the domain, and no step along the faces that the point lies on lowers the residual
+  SINGULAR,        ///< the Jacobian, rows scaled to largest entry 1, has smaller numerical rank than there are equalities, or the step overflows
+  LEFT_DOMAIN,     ///< the step is not tiny, even its \f$2^{-12}\f$-th part leads out of the domain, and no step along the faces that the point lies on lowers the residual so
   ITERATION_LIMIT  ///< none of these after `Newton_options::maximal_iterations` steps
 };
 
@@ -141,29 +141,213 @@ public:
   Newton_result run(std::vector<double> start, int maximal_iterations)
   {
     Newton_result result;
-    m_point = std::move(start);
-    clamp(m_point);
-    m_functions = evaluated(m_point);
-    std::optional<Newton_status> status;
-    while (!(status = improved())) {
-      if (result.iterations == maximal_iterations) {
-        status = Newton_status::ITERATION_LIMIT;
+    move_to(std::move(start));
+    for (;; ++result.iterations)
+      if (const std::optional<Newton_status> status = advance(result.iterations < maximal_iterations)) {
+        result.status = *status;
         break;
       }
-      ++result.iterations;
-      if ((status = advance()))
-        break;
-    }
-    result.status = *status;
     for (const auto& function : m_functions)
-      result.residual = (std::max)(result.residual, std::abs(CGAL::to_double(function.value)));
+      result.residual = (std::max)(result.residual, std::abs(to_nearest_double(function.value)));
     result.point = std::move(m_point);
     return result;
+  }
+
+private:
+  // One step, or the reason why there is none.
+  std::optional<Newton_status> advance(bool may_step)
+  {
+    if (std::all_of(m_functions.begin(), m_functions.end(), [](const auto& f) { return CGAL::is_zero(f.value); }))
+      return Newton_status::CONVERGED;
+    std::vector<bool> is_held(m_unknowns, false);
+    if (!linearise())
+      return Newton_status::SINGULAR;
+    const std::optional<Vector> step = least_norm_step(is_held);
+    if (!step)
+      return Newton_status::SINGULAR;
+    const bool is_last_place = is_within_last_place(*step);
+    if (is_last_place || !may_step) {
+      if (is_last_place)
+        try_step(*step, 1, 1);
+      return is_last_place ? Newton_status::CONVERGED : Newton_status::ITERATION_LIMIT;
+    }
+
+    const std::optional<Vector> inner = step_along_faces(*step, is_held);
+    for (int halvings = 0; inner && halvings <= 12; ++halvings)
+      if (const double part = std::ldexp(1.0, -halvings); try_step(*inner, part, 1 - part / 2))
+        return std::nullopt;
+    if (is_tiny(*step)) {
+      try_step(*step, 1, 1);
+      return Newton_status::CONVERGED;
+    }
+    return is_inside(*step * 0x1p-12) ? Newton_status::STAGNATED : Newton_status::LEFT_DOMAIN;
+  }
+
+  // Jacobian and residuals at the point, rows divided by their largest derivatives; false when all derivatives of a function vanish.
+  bool linearise()
+  {
+    m_scale.clear();
+    for (std::size_t i = 0; i < m_equalities; ++i) {
+      const auto& [value, gradient] = m_functions[i];
+      Exact_rational largest(0);
+      for (const Exact_rational& derivative : gradient)
+        largest = (std::max)(largest, Exact_rational(CGAL::abs(derivative)));
+      if (CGAL::is_zero(largest))
+        return false;
+      for (std::size_t j = 0; j < m_unknowns; ++j)
+        m_jacobian(i, j) = to_nearest_double(gradient[j] / largest);
+      m_residual[i] = to_nearest_double(value / largest);
+      m_scale.push_back(std::move(largest));
+    }
+    return m_residual.allFinite();
+  }
+
+  // The shortest step to the zero of the linearisation that leaves the held unknowns alone (seed 000, Section 2.2); none when there are fewer independent rows than rows.
+  std::optional<Vector> least_norm_step(const std::vector<bool>& is_held) const
+  {
+    Eigen::MatrixXd jacobian = m_jacobian;
+    for (std::size_t j = 0; j < m_unknowns; ++j)
+      if (is_held[j])
+        jacobian.col(j).setZero();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(m_rank_tolerance);
+    decomposition.compute(jacobian);
+    if (decomposition.rank() < jacobian.rows())
+      return std::nullopt;
+    Vector step = decomposition.solve(-m_residual);
+    return step.allFinite() ? std::optional<Vector>(std::move(step)) : std::nullopt;
+  }
+
+  // The same with all unknowns held that it would move out of the domain from where they are.
+  std::optional<Vector> step_along_faces(std::optional<Vector> step, std::vector<bool>& is_held) const
+  {
+    for (bool is_new = true; is_new && step;) {
+      is_new = false;
+      for (std::size_t j = 0; j < m_unknowns; ++j) {
+        const auto& [lower, upper] = m_domain[j];
+        if (!is_held[j] && ((m_point[j] <= lower && (*step)[j] < 0) || (m_point[j] >= upper && (*step)[j] > 0)))
+          is_held[j] = is_new = true;
+      }
+      if (is_new)
+        step = least_norm_step(is_held);
+    }
+    return step;
+  }
+
+  // Goes a part of a step, as far as the domain reaches, when this multiplies the norm of the residual by at most `factor`.
+  bool try_step(const Vector& step, double part, double factor)
+  {
+    std::vector<double> target = m_point;
+    for (std::size_t j = 0; j < m_unknowns; ++j)
+      target[j] += part * step[j];
+    clamp(target);
+    std::vector<Value_and_gradient<Exact_rational>> functions = evaluated(target);
+    Vector residual(m_equalities);
+    for (std::size_t i = 0; i < m_equalities; ++i)
+      residual[i] = to_nearest_double(functions[i].value / m_scale[i]);
+    if (!(residual.stableNorm() <= factor * m_residual.stableNorm()))
+      return false;
+    m_point = std::move(target);
+    m_functions = std::move(functions);
+    return true;
+  }
+
+  void move_to(std::vector<double> point)
+  {
+    clamp(point);
+    m_functions = evaluated(point);
+    m_point = std::move(point);
+  }
+
+  std::vector<Value_and_gradient<Exact_rational>> evaluated(const std::vector<double>& point) const
+  {
+    std::vector<Exact_rational> exact;
+    for (double x : point)
+      exact.push_back(rational_of_finite(x));
+    std::vector<Value_and_gradient<Exact_rational>> result;
+    for (const Spline_function& function : m_system.equalities())
+      result.push_back(exact_value_and_gradient(function, exact));
+    return result;
+  }
+
+  void clamp(std::vector<double>& point) const
+  {
+    for (std::size_t j = 0; j < m_unknowns; ++j)
+      point[j] = std::clamp(point[j], m_domain[j].first, m_domain[j].second);
+  }
+
+  bool is_inside(const Vector& step) const
+  {
+    for (std::size_t j = 0; j < m_unknowns; ++j)
+      if (m_point[j] + step[j] < m_domain[j].first || m_domain[j].second < m_point[j] + step[j])
+        return false;
+    return true;
+  }
+
+  bool is_within_last_place(const Vector& step) const
+  {
+    const double unit = 0x1p-80 * largest_coordinate();   // a coordinate that tends to zero has no last place
+    for (std::size_t j = 0; j < m_unknowns; ++j) {
+      const double x = std::abs(m_point[j]);
+      if (std::abs(step[j]) > (std::max)(std::nextafter(x, HUGE_VAL) - x, unit))
+        return false;
+    }
+    return true;
+  }
+
+  bool is_tiny(const Vector& step) const { return step.lpNorm<Eigen::Infinity>() <= 0x1p-50 * largest_coordinate(); }
+
+  double largest_coordinate() const
+  {
+    double largest = 0;
+    for (double x : m_point)
+      largest = (std::max)(largest, std::abs(x));
+    return largest;
   }
 };
 
 } // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+Improves an approximate solution of the equalities of a system to the full precision of doubles by Newton-Raphson iteration (seed 000, Section 2.2). With fewer
+equalities than unknowns each step is the shortest one to the zero set of the linearised functions, by a rank-revealing complete orthogonal decomposition:
+the result is, up to second order in the distance, the point of the solution set closest to the start.
+
+This is a tool of approximation: *nothing is certified*, neither that a solution is near the result nor that the result belongs to the start. It converges quadratically to
+regular solutions and linearly to others, as far as these are reached at all; steps are halved until they lower the residual. Values and derivatives are exact and rounded
+once, so that the last place of the result does not suffer from cancellation.
+
+*Domain.* The point never leaves the domain: a start outside of it is moved to the nearest point of it, a step ends coordinate by coordinate at the faces,
+and an unknown that is on a face from which the step points outward is held there while the others make a shortest step of their own.
+Inequalities are not looked at. At a break of a spline the derivative is the one from the right.
+
+\param system its equalities, at most as many as unknowns, are to vanish.
+\param start one finite number per unknown.
+\param options when to stop.
+\return the last point and what it is worth. Without equalities this is the start, moved into the domain.
+\throws Invalid_input when there are more equalities than unknowns, the start has the wrong size or an entry that is not finite, an option makes no sense, or there is no
+double in the domain of an unknown.
+
+Complexity per step: an exact evaluation of each function with its derivatives, linear in its number of coefficients, and \f$O(m^2 n)\f$ for \f$m\f$ equalities in \f$n\f$ unknowns.
+*/
+inline Newton_result improve_point(const Constraint_system_d& system, std::vector<double> start, const Newton_options& options = {})
+{
+  options.check();
+  const std::size_t unknowns = system.dimension();
+  if (system.equalities().size() > unknowns)
+    throw Invalid_input("improve_point: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(unknowns) + " unknowns");
+  if (start.size() != unknowns)
+    throw Invalid_input("improve_point: the start has " + std::to_string(start.size()) + " coordinates for " + std::to_string(unknowns) + " unknowns");
+  for (std::size_t j = 0; j < unknowns; ++j)
+    if (!std::isfinite(start[j]))
+      throw Invalid_input("improve_point: coordinate " + std::to_string(j) + " of the start is not finite");
+  const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+  return internal::Newton_iteration(system, options).run(std::move(start), options.maximal_iterations);
+}
+
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NEWTON_IMPROVEMENT_H
