@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -93,42 +94,10 @@ public:
                                      std::chrono::duration<double>((std::min)(options.time_limit, 1e9)));
   }
 
-  // Walks over the part of the domain in one cell.
+  // Walks over a box in one cell, which is a `share` of the domain.
   void run(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
   {
     m_cell = cell;
-    start(lower, upper, share);
-  }
-
-  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
-
-  /*
-  Goes on with a finer tolerance in the open boxes that hold no solution by the look of it: `holds_solution(box)` tells the others. Beside a root that is not regular some boxes end at
-  the tolerance just before they would be excluded.
-  */
-  template <class Predicate>
-  void resume(const Predicate& holds_solution)
-  {
-    constexpr std::size_t most_boxes = 256;
-    const double tolerance = m_tolerance;
-    for (int pass = 0; pass < 3 && !m_open.empty() && m_open.size() <= most_boxes && m_stop == Undecided_reason::NONE; ++pass) {
-      m_tolerance /= 64;
-      std::vector<Open_box<Coordinate>> boxes;
-      boxes.swap(m_open);
-      for (Open_box<Coordinate>& box : boxes)
-        if (box.reason != Undecided_reason::TOLERANCE || holds_solution(box))
-          m_open.push_back(std::move(box));
-        else {
-          m_cell = box.cell;
-          start(box.lower, box.upper, 0);
-        }
-    }
-    m_tolerance = tolerance;
-  }
-
-private:
-  void start(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
-  {
     Node& root = level(0);
     root.lower = lower;
     root.upper = upper;
@@ -139,6 +108,34 @@ private:
     subdivide(0, 0, share);
   }
 
+  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  /*
+  Looks again, with a finer tolerance, at the open boxes that `holds_solution(box)` does not know to hold one; those that turn out empty are dropped. Beside a root that is not regular
+  some boxes end at the tolerance just before they would be excluded.
+  */
+  template <class Predicate>
+  void resume(const Predicate& holds_solution)
+  {
+    if (m_open.size() > 64 || m_stop != Undecided_reason::NONE)
+      return;
+    const double tolerance = std::exchange(m_tolerance, m_tolerance / 4096);
+    std::vector<Open_box<Coordinate>> boxes, kept;
+    boxes.swap(m_open);
+    for (Open_box<Coordinate>& box : boxes) {
+      const bool is_tried = box.reason == Undecided_reason::TOLERANCE &&
+                            !m_piecewise.crosses_break(box.cell, box.lower, box.upper) && !holds_solution(box);
+      if (is_tried)
+        run(box.cell, box.lower, box.upper, 0);
+      if (!is_tried || !m_open.empty())
+        kept.push_back(std::move(box));
+      m_open.clear();
+    }
+    m_open = std::move(kept);
+    m_tolerance = tolerance;
+  }
+
+private:
   Node& level(std::size_t index)
   {
     while (m_nodes.size() <= index)
@@ -301,8 +298,8 @@ private:
   // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
   bool meets_same_root(const Root_enclosure<Coordinate>& enclosure)
   {
-    const auto* known = m_roots.is_known(enclosure) ? nullptr : m_roots.root_that_meets(enclosure);
-    if (known == nullptr)
+    const auto* known = m_roots.root_that_meets(enclosure);
+    if (known == nullptr || m_roots.is_known(enclosure))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const Coordinate lower = (std::min)(known->enclosure.lower[j], enclosure.lower[j]);
@@ -356,9 +353,7 @@ private:
         m_trial.upper[j] = above(node.upper[j], size);
       }
       if (m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper)) {
-        m_across.lower = m_trial.lower;
-        m_across.upper = m_trial.upper;
-        m_across.start.clear();
+        m_across = {.lower = m_trial.lower, .upper = m_trial.upper, .inverse = {}, .scale = {}, .bounds = {}, .start = {}};
         if (certify_across_break())
           return true;
         continue;
@@ -441,7 +436,7 @@ private:
     return finest;
   }
 
-  // The best rated axis to split; -1 when all axes are narrower than the tolerance or cannot be split.
+  // The best rated axis to split; -1 when there is none left.
   int choose_axis(const Node& node)
   {
     const int n = m_layout.dimension;

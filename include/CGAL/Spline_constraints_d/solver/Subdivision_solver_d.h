@@ -139,7 +139,8 @@ Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visi
     subdivision.run(cell, lower, upper, 1.0 / static_cast<double>(cells));
   }
 
-  subdivision.resume([&](const auto& box) { return !internal::rational_solution_in(system, box).empty(); });
+  internal::merge_boxes_that_meet(subdivision.open_boxes());
+  subdivision.resume([&](const auto& box) { return !internal::is_small(box) || !internal::rational_solution_in(system, box).empty(); });
 
   std::vector<typename Solution_set::Solution> solutions;
   internal::report_roots<Number_type>(roots, solutions);

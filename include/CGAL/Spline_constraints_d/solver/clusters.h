@@ -8,8 +8,10 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/multiplicity.h>
+#include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -111,15 +113,33 @@ std::vector<Exact_rational> rational_solution_in(const Constraint_system_d& syst
   return satisfies(system, point) ? point : std::vector<Exact_rational>();
 }
 
+// Whether a small box in the interior of the domain holds a solution with some rational coordinates. Chance puts a rational of about log2(1/width) bits into any range: only
+// clearly shorter ones are tried.
+template <class Coordinate>
+bool holds_partly_rational_solution(const Constraint_system_d& system, const Open_box<Coordinate>& box)
+{
+  if (!system.inequalities().empty())
+    return false;
+  double width = 0;
+  for (std::size_t j = 0; j < box.lower.size(); ++j) {
+    const Exact_rational lower(box.lower[j]), upper(box.upper[j]), margin(upper - lower);
+    if (lower - margin < system.domain(static_cast<int>(j)).first || system.domain(static_cast<int>(j)).second < upper + margin)
+      return false;
+    width = (std::max)(width, CGAL::to_double(margin));
+  }
+  const std::vector<Exact_rational> lower(box.lower.begin(), box.lower.end()), upper(box.upper.begin(), box.upper.end());
+  const Partial_point values = partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
+  return std::any_of(values.begin(), values.end(), [](const auto& value) { return value.has_value(); });
+}
+
 /*
-What the open boxes are: boxes that meet become one. Everything around the group was proved empty, so when it is small and its simplest rational point is a
-root, it is a cluster; the rest stays undecided.
+What the open boxes are, after those that meet have become one. Everything around such a group was proved empty, so when it is small and provably holds a root, all or some of
+whose coordinates are rational, it is a cluster; the rest stays undecided.
 */
 template <class NT, class Coordinate>
 void report_open_boxes(const Constraint_system_d& system, const Root_collection<NT>& roots, std::vector<Open_box<Coordinate>>& boxes,
                        std::vector<Solution_d<Coordinate>>& solutions)
 {
-  merge_boxes_that_meet(boxes);
   for (const Open_box<Coordinate>& box : boxes) {
     if (roots.is_covered(box.lower, box.upper))
       continue;   // its only root is known
@@ -128,12 +148,16 @@ void report_open_boxes(const Constraint_system_d& system, const Root_collection<
     int multiplicity = 0;
     if (reason == Undecided_reason::TOLERANCE && !is_small(box))
       reason = Undecided_reason::CONTINUUM;
-    if (reason == Undecided_reason::TOLERANCE)
+    if (reason == Undecided_reason::TOLERANCE) {
       if (const auto point = rational_solution_in(system, box); !point.empty()) {
         kind = Solution_kind::CLUSTER;
         reason = Undecided_reason::NONE;
         multiplicity = local_structure(system, point).multiplicity;
+      } else if (holds_partly_rational_solution(system, box)) {
+        kind = Solution_kind::CLUSTER;
+        reason = Undecided_reason::NONE;
       }
+    }
     solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name, reason,
                            multiplicity);
   }

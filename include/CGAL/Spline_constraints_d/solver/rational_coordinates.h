@@ -49,46 +49,60 @@ inline std::optional<Power_polynomial> restricted(const Spline_function& functio
 }
 
 /*
-The coordinates of a root that are rational, by a proof: those whose (very narrow) enclosure holds a short rational take that value, the equalities that become zero are dropped, and the others
-must have exactly one root in the remaining unknowns. It lies in the region of the root, which holds no other: so the values are exact.
+Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of at most `longest` bits take that value, the equalities that
+become zero are dropped, and the others must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. Returns
+the values, none of them when there is no proof. The domain and the inequalities are not looked at.
 */
-inline Partial_point rational_coordinates(const Constraint_system_d& system, const Certified_region<Exact_rational>& region,
-                                          const Root_enclosure<Exact_rational>& enclosure)
+inline Partial_point partly_rational_solution(const Constraint_system_d& system, const std::vector<Exact_rational>& lower,
+                                              const std::vector<Exact_rational>& upper, long longest)
 {
-  constexpr long longest = 64;   // bits of numerator and denominator, beside some hundred bits that the enclosure fixes
-  const std::size_t n = enclosure.lower.size();
+  const std::size_t n = lower.size();
   const Partial_point none(n);
   Partial_point values(n);
   Certified_region<Exact_rational> rest;
   std::vector<Constraint_system_d::Domain> domain;
   for (std::size_t j = 0; j < n; ++j) {
-    const Exact_rational width = enclosure.upper[j] - enclosure.lower[j];
-    const Exact_rational lower = enclosure.lower[j] - width, upper = enclosure.upper[j] + width;
-    if (lower < region.lower[j] || region.upper[j] < upper)
-      return none;
-    const Exact_rational value = simplest_rational_between(enclosure.lower[j], enclosure.upper[j]);
+    const Exact_rational width = upper[j] - lower[j], value = simplest_rational_between(lower[j], upper[j]);
     if (bit_length(numerator_of(value)) + bit_length(denominator_of(value)) <= longest)
       values[j] = value;
     else {
-      rest.lower.push_back(lower);
-      rest.upper.push_back(upper);
-      domain.emplace_back(lower, upper);
+      rest.lower.push_back(lower[j] - width);
+      rest.upper.push_back(upper[j] + width);
+      domain.emplace_back(rest.lower.back(), rest.upper.back());
     }
   }
-  if (domain.empty() || domain.size() == n)
+  if (domain.size() == n)
     return none;
-  Constraint_system_d remaining(domain);
+  std::vector<Power_polynomial> remaining;
   for (const Spline_function& function : system.equalities()) {
     const auto polynomial = restricted(function, values);
     if (!polynomial || (polynomial->is_constant() && !polynomial->is_zero()))
       return none;
     if (!polynomial->is_zero())
-      remaining.add(*polynomial, Relation::EQUAL);
+      remaining.push_back(*polynomial);
   }
-  const System_layout layout(remaining);
-  Exact_source source(remaining, layout);
+  if (domain.empty())
+    return values;
+  Constraint_system_d remaining_system(domain);
+  for (const Power_polynomial& polynomial : remaining)
+    remaining_system.add(polynomial, Relation::EQUAL);
+  const System_layout layout(remaining_system);
+  Exact_source source(remaining_system, layout);
   Piecewise_certification<Exact_rational> certification(layout, source);
   return certification.certify(rest) == Piecewise_certification<Exact_rational>::ONE_ROOT ? values : none;
+}
+
+// The coordinates of the root of a region that are rational, by a proof: a solution that is found in the region is that root.
+inline Partial_point rational_coordinates(const Constraint_system_d& system, const Certified_region<Exact_rational>& region,
+                                          const Root_enclosure<Exact_rational>& enclosure)
+{
+  constexpr long longest = 64;   // beside some hundred bits that the enclosure fixes
+  for (std::size_t j = 0; j < enclosure.lower.size(); ++j) {
+    const Exact_rational width = enclosure.upper[j] - enclosure.lower[j];
+    if (enclosure.lower[j] - width < region.lower[j] || region.upper[j] < enclosure.upper[j] + width)
+      return Partial_point(enclosure.lower.size());
+  }
+  return partly_rational_solution(system, enclosure.lower, enclosure.upper, longest);
 }
 
 } // namespace internal
