@@ -143,6 +143,20 @@ TEST(Verify, IrrationalPointsOfFaces)
   EXPECT_FALSE(verifies(y * y, 0, 1));
 }
 
+// One coordinate in a kink and on the face of the domain, one rational, one irrational.
+TEST(Verify, KinksOnFaces)
+{
+  const std::vector<Rational> breaks{-1, fraction(3, 1000000007), 1};
+  const SC::Spline_function kink = piecewise(2, breaks, {x - breaks[1], 7 * (x - breaks[1])});
+  for (const bool is_inside : {true, false}) {
+    System system({{0, 2}, {-1, 1}, {is_inside ? breaks[1] : Rational(breaks[1] + Rational(1e-200)), 1}});
+    system.add(kink + SC::Spline_function(x * x - 2 + 7 * y - 1), Relation::EQUAL);
+    system.add(SC::Spline_function((7 * y - 1) * (y + 8)) + kink + kink + kink, Relation::EQUAL);
+    system.add(SC::Spline_function(7 * y - 1) - kink, Relation::EQUAL);
+    EXPECT_EQ(verify(system, certified({{1.375, 1.4375}, {0.140625, 0.14453125}, {-0.0078125, 0.015625}})), is_inside);
+  }
+}
+
 TEST(Verify, Inequalities)
 {
   const auto verifies = [](const Polynomial& g, Relation relation) {

@@ -269,26 +269,26 @@ private:
     return is_certified && keep_root();
   }
 
-  // Refines the root of the last region. Where that region is much thinner on one axis than on another, or rounding has blurred its derivatives, a second one is
-  // certified around the first enclosure, small on all axes and with fresh coefficients.
+  // Refines the root of the last region. Where that region is much thinner on one axis than on another, or C is poor there, others are certified
+  // around the enclosure, with fresh coefficients.
   bool keep_root()
   {
     Root_enclosure<Coordinate> enclosure = m_roots.refine();
-    if (enclosure.error > 16) {
+    for (int attempt = 0; attempt < 6 && enclosure.error > 16; ++attempt) {
       for (int j = 0; j < m_layout.dimension; ++j) {
         const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
-        const double margin = (std::max)(4 * (upper - lower), 0x1p-24 * (std::max)(1.0, std::abs(lower)));
+        const double margin = (std::max)(0.25 * (upper - lower), 0x1p-24 * (std::max)(1.0, std::abs(lower)));
         m_trial.lower[j] = below(enclosure.lower[j], margin);
         m_trial.upper[j] = above(enclosure.upper[j], margin);
       }
-      if (!m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper)) {
-        m_trial_analysis.rebuild(m_cell, m_trial);
-        const Image_test result = m_trial_analysis.test_image(m_trial);
-        if (result.verdict == Image_test::ONE_ROOT) {
-          m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, false);
-          enclosure = m_roots.refine();
-        }
-      }
+      if (m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper))
+        break;
+      m_trial_analysis.rebuild(m_cell, m_trial);
+      const Image_test result = m_trial_analysis.test_image(m_trial);
+      if (result.verdict != Image_test::ONE_ROOT)
+        break;
+      m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, false);
+      enclosure = m_roots.refine();
     }
     if (!meets_same_root(enclosure))
       m_roots.add(std::move(enclosure));
@@ -346,7 +346,7 @@ private:
   {
     if (m_open.size() > 64)
       return false;
-    for (const double margin : {0x1p-30, 0x1p-20, 0x1p-10}) {
+    for (const double margin : {0x1p-44, 0x1p-37, 0x1p-30, 0x1p-20, 0x1p-10}) {
       for (int j = 0; j < m_layout.dimension; ++j) {
         const double size = margin * (std::max)(1.0, std::abs(CGAL::to_double(node.lower[j])));
         m_trial.lower[j] = below(node.lower[j], size);

@@ -96,18 +96,20 @@ inline System_layout::System_layout(const Constraint_system_d& system)
   std::map<std::vector<int>, std::vector<std::size_t>> blocks_on;
   for (int f = 0; f < functions; ++f)
     for (const Spline_term& term : function_of(system, f).terms()) {
+      // A function has one block on given unknowns: further terms on them join the first.
       Block* chosen = nullptr;
+      for (std::size_t b : blocks_on[term.variables])
+        if (!blocks[b].functions.empty() && blocks[b].functions.back() == f)
+          chosen = &blocks[b];
       for (std::size_t b : blocks_on[term.variables]) {
+        if (chosen != nullptr)
+          break;
         Block& block = blocks[b];
         std::size_t common = 1;
         for (std::size_t j = 0; j < term.degrees.size(); ++j)
           common *= static_cast<std::size_t>((std::max)(block.degrees[j], term.degrees[j])) + 1;
-        const bool is_there = !block.functions.empty() && block.functions.back() == f;
-        const std::size_t members = block.functions.size() + (is_there ? 0 : 1);
-        if (is_there || 2 * common * members <= 3 * (block.size() + term.piece_size())) {
+        if (2 * common * (block.functions.size() + 1) <= 3 * (block.size() + term.piece_size()))
           chosen = &block;
-          break;
-        }
       }
       if (chosen == nullptr) {
         blocks_on[term.variables].push_back(blocks.size());

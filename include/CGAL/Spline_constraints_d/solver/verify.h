@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -88,8 +89,12 @@ inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
   return inverse;
 }
 
-// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B; empty when the middle of J(B) has no inverse C.
-inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
+using Functions = std::vector<const Spline_function*>;
+using Axes = std::vector<std::size_t>;
+
+// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the unknowns `axes`; the ranges of the others are single
+// numbers. Gives the ranges of these unknowns, or nothing when the middle of J(B) has no inverse C.
+inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Box& box)
 {
   const Point centre = middle_of(box), radius = radius_of(box);
   Box at_centre;
@@ -97,28 +102,42 @@ inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
     at_centre.push_back({x, x});
   std::vector<Box> jacobian;
   Point value;   // any piece at the centre: the function is continuous
-  for (const Spline_function& function : system.equalities()) {
-    jacobian.push_back(derivatives(function, box));
-    value.push_back(values(function, at_centre).lower);
+  for (const Spline_function* function : functions) {
+    const Box all = derivatives(*function, box);
+    Box& row = jacobian.emplace_back();
+    for (std::size_t axis : axes)
+      row.push_back(all[axis]);
+    value.push_back(values(*function, at_centre).lower);
   }
   const Matrix inverse = rounded_left_inverse(jacobian);
   Box image;
   for (std::size_t i = 0; i < inverse.rows; ++i) {
-    Exact_rational middle = centre[i], deviation(0);
+    Exact_rational middle = centre[axes[i]], deviation(0);
     for (std::size_t k = 0; k < value.size(); ++k)
       middle -= inverse(i, k) * value[k];
-    for (std::size_t j = 0; j < box.size(); ++j) {
+    for (std::size_t j = 0; j < axes.size(); ++j) {
       Exact_rational entry(i == j ? 1 : 0), spread(0);
       for (std::size_t k = 0; k < value.size(); ++k) {
         const Range& range = jacobian[k][j];
         entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
         spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
       }
-      deviation += (absolute(entry) + spread) * radius[j];
+      deviation += (absolute(entry) + spread) * radius[axes[j]];
     }
     image.push_back({Exact_rational(middle - deviation), Exact_rational(middle + deviation)});
   }
   return image;
+}
+
+// The same for all equalities and unknowns of a system.
+inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
+{
+  Functions functions;
+  for (const Spline_function& function : system.equalities())
+    functions.push_back(&function);
+  Axes axes(box.size());
+  std::iota(axes.begin(), axes.end(), std::size_t(0));
+  return krawczyk_image(functions, axes, box);
 }
 
 // A slightly larger box of simpler numbers.
@@ -149,19 +168,20 @@ inline bool is_empty(const Box& box)
   return std::any_of(box.begin(), box.end(), [](const Range& range) { return range.upper < range.lower; });
 }
 
-// The hull of a box and its image and some room around it. What is too thin to be mapped into itself grows.
+// Grows the axes on which the image does not lie in the interior of the box: they were too thin beside the others.
 inline Box inflated(const Box& box, const Box& image)
 {
   const Point radius = radius_of(box);
   const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
   const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
-  Box hull = box;
-  for (std::size_t j = 0; j < box.size(); ++j) {
-    extend(hull[j], image[j].lower, image[j].upper);
-    const Exact_rational room = least + (hull[j].upper - hull[j].lower) / Exact_rational(8);
-    hull[j] = {Exact_rational(hull[j].lower - room), Exact_rational(hull[j].upper + room)};
-  }
-  return simplified(hull);
+  Box result = box;
+  for (std::size_t j = 0; j < box.size(); ++j)
+    if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper) {
+      extend(result[j], image[j].lower, image[j].upper);
+      const Exact_rational room = least + (result[j].upper - result[j].lower) / Exact_rational(8);
+      result[j] = {Exact_rational(result[j].lower - room), Exact_rational(result[j].upper + room)};
+    }
+  return result;
 }
 
 // All points of the box lie in the domain and satisfy the inequalities.
@@ -215,26 +235,59 @@ inline bool is_in_interior(const Box& inner, const Box& outer)
   return true;
 }
 
+// A number that the coordinate of a solution may well be exactly: a rational much simpler than the range of a coordinate has to hold, or an end of the
+// domain, or a break. Returns whether there is one.
+inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis, const Range& range, Exact_rational& guess)
+{
+  guess = simplest_rational_between(range.lower, range.upper);
+  const Exact_rational denominator = compose(parts_of(guess).denominator, Exact_integer(1));
+  if ((range.upper - range.lower) * denominator * denominator * Exact_rational(1 << 20) < Exact_rational(1))
+    return true;
+  const auto is_in_range = [&](const Exact_rational& x) {
+    const bool result = range.lower <= x && x <= range.upper;
+    if (result)
+      guess = x;
+    return result;
+  };
+  const auto& domain = system.domain(static_cast<int>(axis));
+  if (is_in_range(domain.first) || is_in_range(domain.second))
+    return true;
+  for (const Spline_function& function : system.equalities())
+    for (const Spline_term& term : function.terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j)
+        if (static_cast<std::size_t>(term.variables[j]) == axis &&
+            std::any_of(term.breaks[j].begin(), term.breaks[j].end(), is_in_range))
+          return true;
+  return false;
+}
+
 /*
-Replaces ranges of the enclosure of a solution by numbers: an equality that is zero wherever x_j = a, and whose derivative by x_j is zero nowhere in the
-enclosure, has all its zeros there at x_j = a, since 0 = f(x) - f(x with x_j = a) = (x_j - a) times a mean of the derivative. Tried are the ends of the domain.
+An enclosure of a solution of as many equalities as unknowns, some of whose coordinates are single numbers: these are guessed; some equalities are zero
+wherever the unknowns have these values, and the others have a solution in the ranges of the remaining unknowns. Empty when there is no proof.
 */
 inline Box with_exact_coordinates(const Constraint_system_d& system, const Box& enclosure)
 {
   Box result = enclosure;
-  for (std::size_t j = 0; j < result.size(); ++j)
-    for (const Exact_rational& end : {system.domain(static_cast<int>(j)).first, system.domain(static_cast<int>(j)).second})
-      if (result[j].lower <= end && end <= result[j].upper) {
-        Box face = result;
-        face[j] = {end, end};
-        for (const Spline_function& function : system.equalities()) {
-          const Range value = values(function, face), derivative = derivatives(function, result)[j];
-          if (is_zero(value.lower) && is_zero(value.upper) && CGAL::sign(derivative.lower) * CGAL::sign(derivative.upper) > 0) {
-            result = face;
-            break;
-          }
-        }
-      }
+  Axes rest;
+  for (std::size_t j = 0; j < result.size(); ++j) {
+    Exact_rational guess;
+    if (guess_coordinate(system, j, enclosure[j], guess))
+      result[j] = {guess, guess};
+    else
+      rest.push_back(j);
+  }
+  Functions functions;
+  for (const Spline_function& function : system.equalities())
+    if (const Range range = values(function, result); !is_zero(range.lower) || !is_zero(range.upper))
+      functions.push_back(&function);
+  if (functions.size() != rest.size() || rest.size() == result.size())
+    return Box();
+  if (rest.empty())
+    return result;
+  const Box image = krawczyk_image(functions, rest, result);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (image.empty() || image[i].lower <= result[rest[i]].lower || result[rest[i]].upper <= image[i].upper)
+      return Box();
   return result;
 }
 
@@ -254,8 +307,9 @@ inline bool holds_admissible(const Constraint_system_d& system, Box image, const
       return true;
     if (const Box point = simplest_point(enclosure); satisfies_equalities(system, point))
       return is_decided(point);
-    if (is_square && is_decided(with_exact_coordinates(system, enclosure)))
-      return true;
+    if (is_square)
+      if (const Box exact = with_exact_coordinates(system, enclosure); !exact.empty() && is_decided(exact))
+        return true;
     image = krawczyk_image(system, enclosure);
   }
   return false;
@@ -265,7 +319,7 @@ inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
 {
   if (system.equalities().size() < box.size())
     return false;
-  constexpr int attempts = 4;
+  constexpr int attempts = 8;
   Box hull = box;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     for (const Spline_function& function : system.equalities())
@@ -316,8 +370,8 @@ The shape of \f$B\f$ may forbid this: it is very thin on some axes, or its solut
 Rump, Solving algebraic problems with high accuracy, 1983), and the solution has to be proved to lie in \f$B\f$.
 
 At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities. When the solution lies on the boundary of one
-of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried, and whether an equality
-that is zero on a whole face of the domain puts the solution there.
+of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried; then, some coordinates that
+look rational are fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves.
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
 
