@@ -153,7 +153,7 @@ TEST(Verify, KinksOnFaces)
     system.add(kink + SC::Spline_function(x * x - 2 + 7 * y - 1), Relation::EQUAL);
     system.add(SC::Spline_function((7 * y - 1) * (y + 8)) + kink + kink + kink, Relation::EQUAL);
     system.add(SC::Spline_function(7 * y - 1) - kink, Relation::EQUAL);
-    EXPECT_EQ(verify(system, certified({{1.375, 1.4375}, {0.140625, 0.14453125}, {-0.0078125, 0.015625}})), is_inside);
+    EXPECT_EQ(verify(system, certified({{1.414213562, 1.414213563}, {0.142857142, 0.142857143}, {2.5e-9, 3.5e-9}})), is_inside);
   }
 }
 
@@ -275,6 +275,19 @@ TEST(Verify, Clusters)
   EXPECT_EQ(solutions.count(Solution_kind::CLUSTER), 2u);
   for (const auto& solution : solutions)
     EXPECT_TRUE(verify(tangent, solution));
+}
+
+// (sqrt 2, 1/3), where the curves touch.
+TEST(Verify, ClustersWithIrrationalCoordinates)
+{
+  const System tangent = with_equalities(cube(2, -3, 3), {square(3 * y - 1), x * x - 2 + (3 * y - 1) * (x + 5)});
+  const double root = std::sqrt(2.0), width = 1e-10;
+  EXPECT_TRUE(verify(tangent, cluster({{root - width, root + 2 * width}, {1 / 3.0 - 2 * width, 1 / 3.0 + width}})));
+  EXPECT_FALSE(verify(tangent, cluster({{root + width, root + 2 * width}, {1 / 3.0 - 2 * width, 1 / 3.0 + width}})));
+  EXPECT_FALSE(verify(tangent, cluster({{root - width, root + 2 * width}, {1 / 3.0 - 2 * width, 1 / 3.0 - width}})));
+  EXPECT_FALSE(verify(tangent, certified({{root - width, root + 2 * width}, {1 / 3.0 - 2 * width, 1 / 3.0 + width}})));
+  for (const auto& solution : solve(tangent))
+    EXPECT_TRUE(solution.kind() != Solution_kind::CLUSTER || verify(tangent, solution));
 }
 
 TEST(Verify, OtherAnswersProveNothing)

@@ -73,11 +73,13 @@ public:
     }
   }
 
-  void set_region(const Certified_region<Coordinate>& region)
+  void set_region(const Certified_region<Coordinate>& region, bool is_first)
   {
     m_region = region;
-    m_first_lower = region.lower;
-    m_first_upper = region.upper;
+    if (is_first) {
+      m_first_lower = region.lower;
+      m_first_upper = region.upper;
+    }
   }
 
   // A tight enclosure of the root of the region.

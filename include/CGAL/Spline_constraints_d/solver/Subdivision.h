@@ -281,13 +281,20 @@ private:
         m_trial.lower[j] = below(enclosure.lower[j], margin);
         m_trial.upper[j] = above(enclosure.upper[j], margin);
       }
-      if (m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper))
-        break;
-      m_trial_analysis.rebuild(m_cell, m_trial);
-      const Image_test result = m_trial_analysis.test_image(m_trial);
-      if (result.verdict != Image_test::ONE_ROOT)
-        break;
-      m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, false);
+      if (m_piecewise.crosses_break(m_cell, m_trial.lower, m_trial.upper)) {
+        m_across.lower = m_trial.lower;
+        m_across.upper = m_trial.upper;
+        m_across.start.clear();
+        if (m_piecewise.certify(m_across) != Piecewise_certification<NT>::ONE_ROOT)
+          break;
+        m_roots.set_region(m_across, false);
+      } else {
+        m_trial_analysis.rebuild(m_cell, m_trial);
+        const Image_test result = m_trial_analysis.test_image(m_trial);
+        if (result.verdict != Image_test::ONE_ROOT)
+          break;
+        m_roots.set_region(m_trial, m_trial_analysis.linear, result.contraction, m_trial_analysis.bounds, false);
+      }
       enclosure = m_roots.refine();
     }
     if (!meets_same_root(enclosure))
@@ -330,9 +337,8 @@ private:
     case Piecewise_certification<NT>::NO_ROOT:
       return true;
     case Piecewise_certification<NT>::ONE_ROOT:
-      m_roots.set_region(m_across);
-      m_roots.add(m_roots.refine());
-      return true;
+      m_roots.set_region(m_across, true);
+      return keep_root();
     default:
       return false;
     }

@@ -140,19 +140,14 @@ inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
   return krawczyk_image(functions, axes, box);
 }
 
-// A slightly larger box of simpler numbers.
-inline Box simplified(const Box& box)
+// A slightly larger range of simpler numbers.
+inline Range simplified(const Range& range)
 {
-  const Point centre = middle_of(box), radius = radius_of(box);
-  Box result;
-  for (std::size_t j = 0; j < box.size(); ++j) {
-    const Exact_rational room = radius[j] / Exact_rational(16);
-    const Exact_rational middle = simplest_rational_between(Exact_rational(centre[j] - room), Exact_rational(centre[j] + room));
-    const Exact_rational reach =
-      simplest_rational_between(Exact_rational(radius[j] + room), Exact_rational(radius[j] + room + room));
-    result.push_back({Exact_rational(middle - reach), Exact_rational(middle + reach)});
-  }
-  return result;
+  const Exact_rational centre = (range.lower + range.upper) / Exact_rational(2), radius = (range.upper - range.lower) / Exact_rational(2);
+  const Exact_rational room = radius / Exact_rational(64);
+  const Exact_rational middle = simplest_rational_between(Exact_rational(centre - room), Exact_rational(centre + room));
+  const Exact_rational reach = simplest_rational_between(Exact_rational(radius + room), Exact_rational(radius + room + room));
+  return {Exact_rational(middle - reach), Exact_rational(middle + reach)};
 }
 
 inline Box intersection(const Box& a, const Box& b)
@@ -179,7 +174,7 @@ inline Box inflated(const Box& box, const Box& image)
     if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper) {
       extend(result[j], image[j].lower, image[j].upper);
       const Exact_rational room = least + (result[j].upper - result[j].lower) / Exact_rational(8);
-      result[j] = {Exact_rational(result[j].lower - room), Exact_rational(result[j].upper + room)};
+      result[j] = simplified(Range{Exact_rational(result[j].lower - room), Exact_rational(result[j].upper + room)});
     }
   return result;
 }
@@ -241,7 +236,7 @@ inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis
 {
   guess = simplest_rational_between(range.lower, range.upper);
   const Exact_rational denominator = compose(parts_of(guess).denominator, Exact_integer(1));
-  if ((range.upper - range.lower) * denominator * denominator * Exact_rational(1 << 20) < Exact_rational(1))
+  if ((range.upper - range.lower) * denominator * denominator * Exact_rational(1 << 10) < Exact_rational(1))
     return true;
   const auto is_in_range = [&](const Exact_rational& x) {
     const bool result = range.lower <= x && x <= range.upper;
@@ -262,33 +257,52 @@ inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis
 }
 
 /*
-An enclosure of a solution of as many equalities as unknowns, some of whose coordinates are single numbers: these are guessed; some equalities are zero
-wherever the unknowns have these values, and the others have a solution in the ranges of the remaining unknowns. Empty when there is no proof.
+Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed; some equalities are zero wherever the unknowns
+have these values, and the others have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
+shrinks, is accepted.
 */
-inline Box with_exact_coordinates(const Constraint_system_d& system, const Box& enclosure)
+template <class Predicate>
+bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box, int widening, const Predicate& is_accepted)
 {
-  Box result = enclosure;
+  Box enclosure = box;
   Axes rest;
-  for (std::size_t j = 0; j < result.size(); ++j) {
+  for (std::size_t j = 0; j < box.size(); ++j) {
     Exact_rational guess;
-    if (guess_coordinate(system, j, enclosure[j], guess))
-      result[j] = {guess, guess};
-    else
+    if (guess_coordinate(system, j, box[j], guess))
+      enclosure[j] = {guess, guess};
+    else {
+      const Exact_rational room = (box[j].upper - box[j].lower) * Exact_rational(widening);
+      enclosure[j] = {Exact_rational(box[j].lower - room), Exact_rational(box[j].upper + room)};
       rest.push_back(j);
+    }
   }
   Functions functions;
-  for (const Spline_function& function : system.equalities())
-    if (const Range range = values(function, result); !is_zero(range.lower) || !is_zero(range.upper))
+  for (const Spline_function& function : system.equalities()) {
+    const Range range = values(function, enclosure);
+    if (!is_continuous(function, enclosure))
+      return false;
+    if (!is_zero(range.lower) || !is_zero(range.upper))
       functions.push_back(&function);
-  if (functions.size() != rest.size() || rest.size() == result.size())
-    return Box();
-  if (rest.empty())
-    return result;
-  const Box image = krawczyk_image(functions, rest, result);
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    if (image.empty() || image[i].lower <= result[rest[i]].lower || result[rest[i]].upper <= image[i].upper)
-      return Box();
-  return result;
+  }
+  if (functions.size() != rest.size() || rest.size() == box.size())
+    return false;
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds && !rest.empty(); ++round) {
+    const Box image = krawczyk_image(functions, rest, enclosure);
+    if (image.empty())
+      return false;
+    Box next = enclosure;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      next[rest[i]] = image[i];
+    if (round == 0)
+      for (std::size_t j : rest)
+        if (next[j].lower <= enclosure[j].lower || enclosure[j].upper <= next[j].upper)
+          return false;
+    enclosure = intersection(next, enclosure);
+    if (is_accepted(enclosure))
+      return true;
+  }
+  return rest.empty() && is_accepted(enclosure);
 }
 
 // The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
@@ -299,7 +313,8 @@ inline bool holds_admissible(const Constraint_system_d& system, Box image, const
   const auto is_decided = [&](const Box& enclosure) { return is_inside(enclosure, box) && is_admissible(system, enclosure); };
   Box enclosure = image;
   for (int round = 0; round < rounds && !image.empty(); ++round) {
-    enclosure = intersection(simplified(image), enclosure);
+    std::transform(image.begin(), image.end(), image.begin(), [](const Range& range) { return simplified(range); });
+    enclosure = intersection(image, enclosure);
     if (is_empty(enclosure))
       return false;
     const bool is_square = system.equalities().size() == box.size();
@@ -307,9 +322,8 @@ inline bool holds_admissible(const Constraint_system_d& system, Box image, const
       return true;
     if (const Box point = simplest_point(enclosure); satisfies_equalities(system, point))
       return is_decided(point);
-    if (is_square)
-      if (const Box exact = with_exact_coordinates(system, enclosure); !exact.empty() && is_decided(exact))
-        return true;
+    if (is_square && has_partly_exact_solution(system, enclosure, 0, is_decided))
+      return true;
     image = krawczyk_image(system, enclosure);
   }
   return false;
@@ -335,16 +349,18 @@ inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
   return false;
 }
 
-inline bool has_rational_solution(const Constraint_system_d& system, Box box)
+inline bool has_solution(const Constraint_system_d& system, const Box& box)
 {
   Box domain;
   for (std::size_t j = 0; j < box.size(); ++j)
     domain.push_back({system.domain(static_cast<int>(j)).first, system.domain(static_cast<int>(j)).second});
-  box = intersection(box, domain);
-  if (is_empty(box))
+  const Box inside = intersection(box, domain);
+  if (is_empty(inside))
     return false;
-  const Box point = simplest_point(box);
-  return satisfies_equalities(system, point) && is_admissible(system, point);
+  const Box point = simplest_point(inside);
+  if (satisfies_equalities(system, point))
+    return is_admissible(system, point);
+  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); });
 }
 
 } // namespace verification
@@ -373,7 +389,8 @@ At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the 
 of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried; then, some coordinates that
 look rational are fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves.
 
-A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain. How many there are is not proved.
+A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some coordinates that look rational and others by the
+operator, as above. How many there are is not proved.
 
 Other kinds of answers carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
 
@@ -401,7 +418,7 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
     return false;
   switch (solution.kind()) {
   case Solution_kind::CERTIFIED: return internal::verification::has_one_solution(system, box);
-  case Solution_kind::CLUSTER: return internal::verification::has_rational_solution(system, std::move(box));
+  case Solution_kind::CLUSTER: return internal::verification::has_solution(system, box);
   case Solution_kind::CONTINUUM:
   case Solution_kind::UNDECIDED: break;
   }
