@@ -168,7 +168,7 @@ inline void Linear_enclosure::eliminate(Node_view& node)
   }
   for (int step = 0; step < (std::min)(m, n); ++step) {
     int pivot_row = -1, pivot = -1;
-    double best = 1e-12;
+    double best = 1e-16;
     for (int i = 0; i < m; ++i)
       if (m_pivot_of_row[i] < 0)
         for (int k = 0; k < n; ++k)
