@@ -322,8 +322,8 @@ struct Reduction_that_does_nothing
   bool contract(SC::Node_view&, SC::Linear_enclosure&, SC::Local_box&) { return true; }
 };
 
-// Cuts off the outermost parts in which an equality has no zero by its bounds on the derivatives and the value in the middle.
-struct Mean_value_reduction
+// Drops a box when an equality has no zero in it.
+struct Excluding_reduction
 {
   bool contract(SC::Node_view& node, SC::Linear_enclosure&, SC::Local_box&)
   {
@@ -396,6 +396,6 @@ TEST(Solver_policies, Stubs)
 {
   expect_right_with_stubs<Stub_traits>();
   expect_right_with_stubs<SC::Solver_traits<double, Test_that_never_decides>>();
-  expect_right_with_stubs<SC::Solver_traits<double, SC::Graph_box_test, Mean_value_reduction>>();
+  expect_right_with_stubs<SC::Solver_traits<double, SC::Graph_box_test, Excluding_reduction>>();
   expect_right_with_stubs<SC::Solver_traits<double, SC::Normal_cone_test, Reduction_that_does_nothing, Splitter_in_turn>>();
 }

@@ -60,6 +60,8 @@ NT local_parameter(const Coordinate& lower, const Coordinate& upper, const Coord
 {
   if constexpr (std::is_same_v<NT, double>)
     return (c - lower) / (upper - lower);   // relative error of a few units: part of the bound on a restriction
+  else if constexpr (std::is_same_v<Coordinate, double>)
+    return (NT(c) - NT(lower)) / (NT(upper) - NT(lower));
   else
     return Number_traits<NT>::from_rational((Exact_rational(c) - Exact_rational(lower)) /
                                             (Exact_rational(upper) - Exact_rational(lower)));

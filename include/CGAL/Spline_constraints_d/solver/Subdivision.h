@@ -81,7 +81,7 @@ public:
     : m_system(system), m_layout(layout), m_source(source), m_options(options), m_visitor(visitor), m_roots(roots),
       m_summary(summary),
       m_analysis(layout, source, summary, Traits::tracks_rounding), m_trial_analysis(layout, source, summary, true),
-      m_piecewise(layout, source),      m_tolerance(options.tolerance)
+      m_piecewise(layout, source), m_tolerance(options.tolerance)
   {
     m_trial.allocate(layout);
     m_across.lower.resize(layout.dimension);
@@ -433,10 +433,10 @@ private:
   }
 
   // While another axis is wider than the tolerance, an axis may become as thin as this: near y = x^2 a box of width h needs the height h^2.
-  // Doubles end earlier: a box has to stay many units of its last place wide to shrink at all.
+  // Doubles end earlier: a box has to stay many units of its last place wide to shrink at all, and beside zero far from underflow.
   double finest_width(const Node& node, int j) const
   {
-    const double finest = m_tolerance * least_width(node, j);
+    const double finest = (std::max)(m_tolerance * least_width(node, j), 0x1p-250 * m_domain_widths[j]);
     if constexpr (std::is_same_v<Coordinate, double>)
       return (std::max)(finest, 0x1p-46 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])));
     return finest;
