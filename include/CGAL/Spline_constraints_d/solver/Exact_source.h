@@ -27,13 +27,14 @@ using Cell = std::vector<int>;
 The functions of a system as integer polynomials, one set per cell, and what the solver asks of them exactly: the Bernstein
 coefficients on a box with dyadic corners, and the values at a dyadic point. Rounding happens once, at the end.
 
-Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. Not shared between
-threads: the scratch numbers live here.
+Each function is multiplied by the common denominator of its coefficients, which moves no root and no sign. On request all of them are multiplied by a matrix, when
+every block of the layout holds them all. Not shared between threads: the scratch numbers live here.
 */
 class Exact_source
 {
   struct Term
   {
+    int function;
     std::size_t block;
     std::size_t member;                            // place of the function in the block
     std::vector<std::vector<int>> cell_of;         // per axis: cell of the system -> cell of the term
@@ -52,15 +53,20 @@ class Exact_source
   std::vector<Term> m_terms;
   std::vector<std::vector<std::vector<Big_integer>>> m_weights;   // per block and axis: lcm_i C(d,i) / C(d,i)
   std::vector<Big_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
+  std::vector<Big_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
   std::vector<Big_integer> m_values, m_work;
   std::vector<std::vector<Place>> m_places;   // per function
   Cell m_cell;
 
 public:
   Exact_source(const Constraint_system_d& system, const System_layout& layout)
-    : m_layout(layout), m_breaks(layout.dimension)
+    : Exact_source(system, layout, collect_breaks(system, layout))
+  {}
+
+  // With the cells of another source of the same system.
+  Exact_source(const Constraint_system_d& system, const System_layout& layout, const std::vector<std::vector<Exact_rational>>& breaks)
+    : m_layout(layout), m_breaks(breaks)
   {
-    collect_breaks(system);
     for (int f = 0; f < layout.functions; ++f)
       add_function(function_of(system, f), f);
     m_places.resize(layout.functions);
@@ -70,6 +76,8 @@ public:
     prepare_binomials();
     m_values.resize(layout.size);
   }
+
+  const std::vector<std::vector<Exact_rational>>& breaks() const { return m_breaks; }
 
   // Breaks of all splines on an unknown, within its domain; empty when there are none.
   const std::vector<Exact_rational>& breaks(int unknown) const { return m_breaks[unknown]; }
@@ -106,6 +114,14 @@ public:
     }
   }
 
+  // The matrix that the functions are multiplied by, row-major; empty: none.
+  const std::vector<Big_integer>& matrix() const { return m_matrix; }
+  void set_matrix(const std::vector<Big_integer>& matrix) { m_matrix = matrix; }
+
+  // Multiplies the functions by a matrix (row-major) whose columns act on the functions times 2^-scale. The rows are multiplied by powers of two. Returns whether
+  // all numbers are finite.
+  bool multiply(const double* matrix, const std::vector<long>& scale);
+
   // Writes the Bernstein coefficients of all functions on the box [lower, upper], those of function f scaled by 2^-scale[f] such that the largest lies
   // in [1/2, 1), and a bound on the rounding error per block and function.
   template <class NT, class Coordinate>
@@ -134,8 +150,9 @@ private:
       value_at(place, p) += constant;
   }
 
+  void load(const Cell& cell);
   void gather_constants(const std::vector<long>& exponents);
-  void collect_breaks(const Constraint_system_d& system);
+  static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
   void add_function(const Spline_function& function, int index);
   void prepare_binomials();
 
@@ -149,14 +166,15 @@ private:
   }
 };
 
-inline void Exact_source::collect_breaks(const Constraint_system_d& system)
+inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(const Constraint_system_d& system, const System_layout& layout)
 {
-  for (int f = 0; f < m_layout.functions; ++f)
+  std::vector<std::vector<Exact_rational>> result(layout.dimension);
+  for (int f = 0; f < layout.functions; ++f)
     for (const Spline_term& term : function_of(system, f).terms())
       for (std::size_t j = 0; j < term.variables.size(); ++j)
-        m_breaks[term.variables[j]].insert(m_breaks[term.variables[j]].end(), term.breaks[j].begin(), term.breaks[j].end());
-  for (int v = 0; v < m_layout.dimension; ++v) {
-    std::vector<Exact_rational>& breaks = m_breaks[v];
+        result[term.variables[j]].insert(result[term.variables[j]].end(), term.breaks[j].begin(), term.breaks[j].end());
+  for (int v = 0; v < layout.dimension; ++v) {
+    std::vector<Exact_rational>& breaks = result[v];
     if (breaks.empty())
       continue;
     const Exact_rational &lower = system.domain(v).first, &upper = system.domain(v).second;
@@ -168,6 +186,7 @@ inline void Exact_source::collect_breaks(const Constraint_system_d& system)
     if (breaks.size() == 1)
       breaks.push_back(breaks.front());   // a domain that is one point
   }
+  return result;
 }
 
 inline void Exact_source::add_function(const Spline_function& function, int index)
@@ -180,6 +199,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
 
   for (const Spline_term& term : function.terms()) {
     Term result;
+    result.function = index;
     for (result.block = 0;; ++result.block) {
       const Block& block = m_layout.blocks[result.block];
       const auto member = std::find(block.functions.begin(), block.functions.end(), index);
@@ -237,19 +257,63 @@ inline void Exact_source::prepare_binomials()
   }
 }
 
-template <class NT, class Coordinate>
-void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower,
-                                          std::span<const Coordinate> upper, NT* coefficients, double* errors,
-                                          std::vector<long>& scale)
+inline bool Exact_source::multiply(const double* matrix, const std::vector<long>& scale)
+{
+  const std::size_t n = scale.size();
+  if (!std::all_of(matrix, matrix + n * n, [](double x) { return std::isfinite(x); }))
+    return false;
+  std::vector<Big_integer> product(n * n, Big_integer(0));
+  for (std::size_t j = 0; j < n; ++j) {
+    std::vector<std::pair<Big_integer, long>> row;
+    long finest = (std::numeric_limits<long>::max)();
+    for (std::size_t i = 0; i < n; ++i) {
+      auto& [factor, exponent] = row.emplace_back(to_dyadic(matrix[j * n + i]));
+      exponent -= scale[i];
+      if (factor != 0)
+        finest = (std::min)(finest, exponent);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      auto& [factor, exponent] = row[i];
+      if (factor == 0)
+        continue;
+      shift_left(factor, static_cast<unsigned long>(exponent - finest));
+      if (m_matrix.empty())
+        product[j * n + i] = factor;
+      else
+        for (std::size_t k = 0; k < n; ++k)
+          add_product(product[j * n + k], factor, m_matrix[i * n + k]);
+    }
+  }
+  m_matrix = std::move(product);
+  return true;
+}
+
+// The sums of the terms on a cell, in power form.
+inline void Exact_source::load(const Cell& cell)
 {
   for (Big_integer& value : m_values)
     value = 0;
   for (const Term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
     const std::vector<Big_integer>& source = piece(term, cell);
-    for (std::size_t p = 0; p < block.points; ++p)
-      m_values[block.offset + p * block.functions.size() + term.member] += source[p];
+    const std::size_t members = block.functions.size();
+    Big_integer* values = m_values.data() + block.offset;
+    if (m_matrix.empty())
+      for (std::size_t p = 0; p < block.points; ++p)
+        values[p * members + term.member] += source[p];
+    else
+      for (std::size_t m = 0; m < members; ++m)
+        for (std::size_t p = 0; p < block.points; ++p)
+          add_product(values[p * members + m], m_matrix[m * members + term.function], source[p]);
   }
+}
+
+template <class NT, class Coordinate>
+void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower,
+                                          std::span<const Coordinate> upper, NT* coefficients, double* errors,
+                                          std::vector<long>& scale)
+{
+  load(cell);
 
   // Along each axis: x = begin + width t in integers, p(x) -> sum_i p_i t^i, then sums of binomially weighted coefficients.
   std::vector<long> exponents(m_layout.blocks.size(), 0);
@@ -358,8 +422,15 @@ inline void Exact_source::gather_constants(const std::vector<long>& exponents)
 template <class Coordinate>
 void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
 {
-  // Sums of terms with different powers of two are brought to the smallest one, exactly.
   std::vector<std::pair<Big_integer, long>> sums(m_layout.functions, {Big_integer(0), 0});
+  const auto add = [](Big_integer value, long exponent, std::pair<Big_integer, long>& sum) {   // in the finer of the two units
+    if (exponent < sum.second) {
+      shift_left(sum.first, static_cast<unsigned long>(sum.second - exponent));
+      sum.second = exponent;
+    } else
+      shift_left(value, static_cast<unsigned long>(exponent - sum.second));
+    sum.first += value;
+  };
   for (const Term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
     m_work = piece(term, cell);
@@ -387,13 +458,11 @@ void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point,
       }
       exponent += e * degree;
     }
-    auto& [sum, sum_exponent] = sums[block.functions[term.member]];
-    if (exponent < sum_exponent) {
-      shift_left(sum, static_cast<unsigned long>(sum_exponent - exponent));
-      sum_exponent = exponent;
-    } else
-      shift_left(m_work[0], static_cast<unsigned long>(exponent - sum_exponent));
-    sum += m_work[0];
+    if (m_matrix.empty())
+      add(m_work[0], exponent, sums[term.function]);
+    else
+      for (int f = 0; f < m_layout.functions; ++f)
+        add(m_work[0] * m_matrix[f * m_layout.functions + term.function], exponent, sums[f]);
   }
   values.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {

@@ -77,17 +77,20 @@ public:
   double centre(int j) const { return m_centre[j]; }
   double reach(int j) const { return m_reach[j]; }
 
+  //! C, with a row per equation: a product of elementary matrices, and so regular but for rounding.
+  const double* matrix() const { return m_inverse.data(); }
+
   //! row of C for the unknown j: f_j' = sum_k inverse(j, k) f_k is close to s_j.
   const double* inverse_row(int j) const { return m_inverse.data() + m_row_of[j] * m_equations; }
 
-  //! the errors of the functions make up a good part of the width of some preconditioned row.
+  //! the errors of the functions make up a good part of the width of some preconditioned row, and keep its unknown from being known well.
   bool is_blurred_by(const std::vector<double>& errors) const
   {
     for (int i = 0; i < m_equations; ++i) {
       double error = 0;
       for (int k = 0; k < m_equations; ++k)
         error += std::abs(m_inverse[i * m_equations + k]) * errors[k];
-      if (8 * error > m_upper[i] - m_lower[i])
+      if (64 * error > m_upper[i] - m_lower[i] && (m_pivot_of_row[i] < 0 || error > 0x1p-12))   // pivots are one
         return true;
     }
     return false;

@@ -85,11 +85,9 @@ public:
     return {contraction < 1 ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
   }
 
-  // The rounding error has become visible beside what the equations leave undecided, and starting again from the exact functions would make it smaller.
+  // The rounding error, that of the analysis included, has become visible beside what the equations leave undecided.
   bool is_blurred(const Node& node)
   {
-    if (!can_be_sharpened(node))
-      return false;
     m_error_sum.assign(m_layout.functions, 0);
     visit_errors(node, [&](int f, double error) {
       m_error_sum[f] += error;
@@ -97,6 +95,8 @@ public:
     });
     return linear.is_blurred_by(m_error_sum);
   }
+
+  Exact_source& source() { return m_source; }
 
   // The error of some equality is well above that of a fresh start, where coefficients are rounded once and, near a root, as small as the function varies.
   bool can_be_sharpened(const Node& node)

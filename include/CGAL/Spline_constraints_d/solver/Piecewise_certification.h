@@ -22,7 +22,7 @@ namespace internal {
 /*
 Certification on a box that reaches over a break, where a spline is another polynomial on the other side. A root there is never certified on the extension
 of one piece: a continuous piecewise polynomial satisfies f(x) - f(z) = J (x - z) with J in the convex hull of the Jacobians of all pieces that meet
-the box (the segment argument holds piece by piece), so Krawczyk's operator with *one* C and the hull over the pieces proves as much as it does for one polynomial.
+the box (the segment argument holds piece by piece), so the Newton operator with *one* C and the hull over the pieces proves as much as it does for one polynomial.
 */
 template <class NT>
 class Piecewise_certification
@@ -36,9 +36,12 @@ private:
   Exact_source& m_source;
   Node_view m_view;
   std::vector<double> m_coefficients, m_errors;
-  std::vector<double> m_work, m_lower, m_upper;   // equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
+  std::vector<double> m_work, m_lower, m_upper;   // pieces x equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
   std::vector<Exact_source::Value> m_values;
+  std::vector<double> m_step, m_slack;   // C f at the centre, and its rounding
+  std::vector<double> m_trial, m_image;
   std::vector<Coordinate> m_centre;
+  double m_off_centre = 0, m_radius = 0;
 
 public:
   Piecewise_certification(const System_layout& layout, Exact_source& source)
@@ -57,54 +60,144 @@ public:
     return false;
   }
 
-  // Decides the box of the region and fills in the proof. Only for as many equalities as unknowns.
+  // Decides the box of the region and fills in the proof; the box grows when the roots it may hold reach over its faces. Only for as many equalities as unknowns.
   Verdict certify(Certified_region<Coordinate>& region)
   {
-    const int n = m_layout.dimension;
-    if (m_layout.equalities != n)
+    constexpr int most_attempts = 3;
+    if (m_layout.equalities != m_layout.dimension)
       return OPEN;
-    bound_derivatives(region);
-    region.inverse.resize(n * n);
-    region.bounds.resize(n * n);
-    m_work.resize(n * n);
-    for (int i = 0; i < n * n; ++i)
-      m_work[i] = 0.5 * (m_lower[i] + m_upper[i]);
-    if (!invert(n, m_work, region.inverse))
-      return OPEN;
-
-    // The centre is a coordinate, not quite the middle of the box: distances from it reach a little further than one half.
-    double off_centre = 0;
-    for (int j = 0; j < n; ++j) {
-      const double width = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j]));
-      const double place = CGAL::to_double(Coordinate(m_centre[j] - region.lower[j])) / width;
-      off_centre = (std::max)(off_centre, std::abs(place - 0.5) + analysis_error);
+    region.source = &m_source;
+    region.matrix = m_source.matrix();
+    for (int attempt = 1;; ++attempt) {
+      if (!bound_contraction(region))
+        return OPEN;
+      const Verdict verdict = test_image(region);
+      if (verdict != OPEN || attempt == most_attempts || !enlarge(region))
+        return verdict;
     }
-    const double reach = 0.5 + off_centre;
-
-    bool is_mapped_inside = true;
-    region.contraction = 0;
-    for (int j = 0; j < n; ++j) {
-      const double* inverse = region.inverse.data() + j * n;
-      const double sum = contraction_row(
-        n, n, j, inverse, [&](int i, int k) { return m_lower[i * n + k]; }, [&](int i, int k) { return m_upper[i * n + k]; },
-        region.bounds.data() + j * n);
-      double step = 0, slack = 0;
-      for (int i = 0; i < n; ++i) {
-        const long exponent = (std::max)(-2000L, (std::min)(m_values[i].exponent - region.scale[i], 2000L));
-        const double value = std::ldexp(m_values[i].mantissa, static_cast<int>(exponent));
-        step += inverse[i] * value;
-        slack += analysis_error * std::abs(inverse[i] * value);
-      }
-      if (std::abs(step) - slack > reach * (1 + sum))
-        return NO_ROOT;
-      is_mapped_inside = is_mapped_inside && std::abs(step) + slack + reach * sum < 0.5 - off_centre;
-      region.contraction = (std::max)(region.contraction, sum);
-    }
-    return is_mapped_inside ? ONE_ROOT : OPEN;
   }
 
 private:
-  // The hull over all pieces that meet the box, each extended to the whole box; the values at its centre on the way.
+  // Fills in C and the bounds on |I - C J|, and C f at the centre.
+  bool bound_contraction(Certified_region<Coordinate>& region)
+  {
+    const int n = m_layout.dimension;
+    bound_derivatives(region);
+    region.inverse.resize(n * n);
+    m_work.assign(n * n, 0);
+    for (int entry = 0; entry < n * n; ++entry) {
+      double lower = HUGE_VAL, upper = -HUGE_VAL;
+      for (std::size_t c = entry; c < m_lower.size(); c += n * n) {
+        lower = (std::min)(lower, m_lower[c]);
+        upper = (std::max)(upper, m_upper[c]);
+      }
+      m_work[entry] = 0.5 * (lower + upper);
+    }
+    if (!invert(n, m_work, region.inverse, 1e-100))
+      return false;
+    // C J piece by piece: what the rows have in common cancels before the hull is taken.
+    region.bounds.assign(n * n, 0);
+    m_work.resize(n);
+    for (int j = 0; j < n; ++j) {
+      const double* inverse = region.inverse.data() + j * n;
+      for (std::size_t c = 0; c < m_lower.size(); c += n * n) {
+        contraction_row(
+          n, n, j, inverse, [&](int i, int k) { return m_lower[c + i * n + k]; }, [&](int i, int k) { return m_upper[c + i * n + k]; },
+          m_work.data());
+        for (int k = 0; k < n; ++k)
+          region.bounds[j * n + k] = m_work[k] <= region.bounds[j * n + k] ? region.bounds[j * n + k] : m_work[k];
+      }
+    }
+    m_step.assign(n, 0);
+    m_slack.assign(n, 0);
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const long exponent = (std::max)(-2000L, (std::min)(m_values[i].exponent - region.scale[i], 2000L));
+        const double value = region.inverse[j * n + i] * std::ldexp(m_values[i].mantissa, static_cast<int>(exponent));
+        m_step[j] += value;
+        m_slack[j] += analysis_error * std::abs(value);
+      }
+    }
+    return true;
+  }
+
+  /*
+  With Q >= |I - C J| and weights d such that Q d <= q d with q < 1, s -> s - C f(s) contracts the whole box in the norm max |s_j| / d_j: it holds at most one root, which
+  lies in the ball of radius |C f(c)| / (1 - q) around the centre c; if the ball lies in the box, the ball is mapped into itself and holds one. At a kink no other norm may do: what jumps
+  from one side to the other does not become smaller with the box.
+  */
+  Verdict test_image(Certified_region<Coordinate>& region)
+  {
+    const int n = m_layout.dimension;
+    // The centre is a coordinate, not quite the middle of the box: distances from it reach a little further than one half.
+    m_off_centre = 0;
+    for (int j = 0; j < n; ++j) {
+      const double width = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j]));
+      const double place = CGAL::to_double(Coordinate(m_centre[j] - region.lower[j])) / width;
+      m_off_centre = (std::max)(m_off_centre, std::abs(place - 0.5) + analysis_error);
+    }
+    const double reach = 0.5 + m_off_centre;
+    for (int j = 0; j < n; ++j) {
+      double sum = 0;
+      for (int k = 0; k < n; ++k)
+        sum += region.bounds[j * n + k] * (1 + analysis_error);
+      if (std::abs(m_step[j]) - m_slack[j] > reach * (1 + sum))
+        return NO_ROOT;
+    }
+    weigh(region);
+    if (!(region.contraction < 1))
+      return OPEN;
+    bool is_inside = true;
+    for (int j = 0; j < n; ++j)
+      is_inside = is_inside && m_radius * region.weights[j] < 0.5 - m_off_centre;
+    return is_inside ? ONE_ROOT : OPEN;
+  }
+
+  // Chooses the weights d in (0, 1] and q < 1 with Q d <= q d: of the steps from ones towards the eigenvector of Q, those with the smallest ball.
+  void weigh(Certified_region<Coordinate>& region)
+  {
+    const int n = m_layout.dimension;
+    region.contraction = m_radius = HUGE_VAL;
+    m_trial.assign(n, 1.0);
+    m_image.resize(n);
+    for (int round = 0; round < 30; ++round) {
+      double q = 0, radius = 0, largest = 0;
+      for (int j = 0; j < n; ++j) {
+        m_image[j] = 0;
+        for (int k = 0; k < n; ++k)
+          m_image[j] += region.bounds[j * n + k] * m_trial[k];
+        q = (std::max)(q, m_image[j] / m_trial[j] * (1 + analysis_error));
+        radius = (std::max)(radius, (std::abs(m_step[j]) + m_slack[j]) / m_trial[j] * (1 + analysis_error));
+        largest = (std::max)(largest, m_image[j]);
+      }
+      radius = q < 0.99 ? radius / (1 - q) * (1 + analysis_error) : HUGE_VAL;
+      if (radius < m_radius) {
+        region.contraction = q;
+        region.weights = m_trial;
+        m_radius = radius;
+      }
+      if (!(largest > 0) || !(largest < HUGE_VAL))
+        break;
+      for (int j = 0; j < n; ++j)
+        m_trial[j] = 0.1 * m_trial[j] + 0.9 * m_image[j] / largest;
+    }
+  }
+
+  // Makes room for the ball that holds the roots of the box; false when there is no ball, or it is much larger than the box.
+  bool enlarge(Certified_region<Coordinate>& region) const
+  {
+    if (!(m_radius < 64))
+      return false;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const double width = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j]));
+      const double margin = width * (std::max)(0.0, 2 * m_radius * region.weights[j] + 2 * m_off_centre - 0.4);
+      region.lower[j] = below(region.lower[j], margin);
+      region.upper[j] = above(region.upper[j], margin);
+    }
+    return true;
+  }
+
+  // For all pieces that meet the box, each extended to the whole box; the values at its centre on the way.
   void bound_derivatives(Certified_region<Coordinate>& region)
   {
     const int n = m_layout.dimension;
@@ -112,8 +205,8 @@ private:
     for (int j = 0; j < n; ++j)
       m_centre[j] = place_between(region.lower[j], region.upper[j], 0.5);
     m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_centre)), std::span<const Coordinate>(m_centre), m_values);
-    m_lower.assign(n * n, HUGE_VAL);
-    m_upper.assign(n * n, -HUGE_VAL);
+    m_lower.clear();
+    m_upper.clear();
     bool is_first = true;
     std::vector<long> scale;
     m_source.visit_cells(std::span<const Coordinate>(region.lower), std::span<const Coordinate>(region.upper), [&](const Cell& cell) {
@@ -126,8 +219,8 @@ private:
       for (int i = 0; i < n; ++i) {
         const int shift = static_cast<int>((std::max)(-2000L, (std::min)(scale[i] - region.scale[i], 2000L)));
         for (int j = 0; j < n; ++j) {
-          m_lower[i * n + j] = (std::min)(m_lower[i * n + j], std::ldexp(m_view.derivative_lower(i)[j], shift));
-          m_upper[i * n + j] = (std::max)(m_upper[i * n + j], std::ldexp(m_view.derivative_upper(i)[j], shift));
+          m_lower.push_back(std::ldexp(m_view.derivative_lower(i)[j], shift));
+          m_upper.push_back(std::ldexp(m_view.derivative_upper(i)[j], shift));
         }
       }
     });

@@ -34,7 +34,6 @@ class Root_collection
 {
   using Coordinate = typename Number_traits<NT>::Coordinate;
 
-  Exact_source& m_source;
   Root_refinement<Coordinate> m_refinement;
   Root_position<NT> m_position;
   Certified_region<Coordinate> m_region;
@@ -45,22 +44,25 @@ class Root_collection
 
 public:
   Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision)
-    : m_source(source), m_refinement(layout, source), m_position(system, layout, source), m_precision(precision)
+    : m_position(system, layout, source), m_precision(precision)
   {}
 
   const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
   double seconds() const { return m_seconds; }
 
   // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
-  void set_region(const Box_node<NT>& node, const Linear_enclosure& linear, double contraction, const std::vector<double>& bounds,
-                  bool is_first)
+  void set_region(const Box_node<NT>& node, Exact_source& source, const Linear_enclosure& linear, double contraction,
+                  const std::vector<double>& bounds, bool is_first)
   {
     const int n = linear.dimension(), m = linear.equations();
     m_region.lower = node.lower;
     m_region.upper = node.upper;
     m_region.scale = node.scale;
+    m_region.source = &source;
+    m_region.matrix = source.matrix();
     m_region.contraction = contraction;
     m_region.bounds = bounds;
+    m_region.weights.clear();
     m_region.start.resize(n);
     for (int j = 0; j < n; ++j)
       m_region.start[j] = linear.centre(j) + 0.5;

@@ -118,7 +118,10 @@ public:
     exact_region.scale = region.scale;
     exact_region.bounds = region.bounds;
     exact_region.contraction = region.contraction;
-    Root_refinement<Exact_rational> refinement(m_layout, m_source);
+    exact_region.weights = region.weights;
+    exact_region.source = region.source;
+    exact_region.matrix = region.matrix;
+    Root_refinement<Exact_rational> refinement;
     Root_enclosure<Exact_rational> fine;
     fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
     fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
@@ -188,11 +191,20 @@ private:
     return polynomial && polynomial->is_constant() && is_satisfied(relation, CGAL::sign(polynomial->constant_term()));
   }
 
+  // An end of the domain, or the simplest rational.
+  Exact_rational likely_coordinate(int j, const Exact_rational& lower, const Exact_rational& upper) const
+  {
+    for (const Exact_rational& end : {m_system.domain(j).first, m_system.domain(j).second})
+      if (lower <= end && end <= upper)
+        return end;
+    return simplest_rational_between(lower, upper);
+  }
+
   std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure) const
   {
     std::vector<Exact_rational> point;
     for (int j = 0; j < m_layout.dimension; ++j)
-      point.push_back(simplest_rational_between(enclosure.lower[j], enclosure.upper[j]));
+      point.push_back(likely_coordinate(j, enclosure.lower[j], enclosure.upper[j]));
     for (const Spline_function& function : m_system.equalities())
       if (evaluate_exactly(function, point) != Exact_rational(0))
         return {false, Position::INSIDE};

@@ -18,7 +18,7 @@ namespace internal {
 
 /*
 A box with exactly one root of C f (and so at most one of f when there are more equalities than unknowns), and what proves it: in the coordinates of the
-box, |I - C J| <= bounds for all Jacobians J on it, with row sums <= contraction < 1, where row k of C acts on the functions scaled by 2^-scale.
+box, Q = bounds >= |I - C J| for all Jacobians J on it, and Q d <= contraction d < d with the weights d, where row k of C acts on the functions of `source` scaled by 2^-scale.
 */
 template <class Coordinate>
 struct Certified_region
@@ -28,7 +28,10 @@ struct Certified_region
   std::vector<long> scale;
   std::vector<double> bounds;    // unknowns x unknowns
   double contraction = 1;
+  std::vector<double> weights;   // positive; empty: ones
   std::vector<double> start;     // where to begin, in [0,1]^n; empty: in the middle
+  Exact_source* source = nullptr;
+  std::vector<Big_integer> matrix;   // of the source
 };
 
 template <class Coordinate>
@@ -64,43 +67,47 @@ inline Exact_rational above(const Exact_rational& x, double radius) { return x +
 
 /*
 Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure follows from
-x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, with Q >= |I - C J| and q its largest row sum, d = |x* - z| satisfies d <= |C f(z)| / (1 - q) in the
-maximum norm, and then d <= |C f(z)| + Q d axis by axis, which tells thin axes from wide ones.
+x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, e = |x* - z| satisfies |e| <= |C f(z)| / (1 - q) in the weighted maximum norm in which q bounds Q >= |I - C J|, and
+then e <= |C f(z)| + Q e axis by axis, which tells thin axes from wide ones.
 */
 template <class Coordinate>
 class Root_refinement
 {
-  const System_layout& m_layout;
-  Exact_source& m_source;
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width;
+  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width, m_shortest;
   std::vector<Coordinate> m_point, m_best;
 
 public:
-  Root_refinement(const System_layout& layout, Exact_source& source)
-    : m_layout(layout), m_source(source), m_step(layout.dimension), m_radius(layout.dimension), m_width(layout.dimension)
-  {}
-
   // An enclosure of the root of the region; `bits` after the binary point are aimed at where coordinates are rational.
   Root_enclosure<Coordinate> refine(const Certified_region<Coordinate>& region, int bits)
   {
-    const int n = m_layout.dimension;
+    const int n = static_cast<int>(region.lower.size());
+    region.source->set_matrix(region.matrix);
+    for (auto* v : {&m_step, &m_radius, &m_width})
+      v->resize(n);
     m_point.resize(n);
     for (int j = 0; j < n; ++j) {
       m_width[j] = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j])) * (1 + 0x1p-50);
       m_point[j] = stepped(region.lower[j], (region.start.empty() ? 0.5 : region.start[j]) * m_width[j], bits);
     }
     double best = HUGE_VAL;
-    for (int iteration = 0; iteration < 200; ++iteration) {
+    int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
+    m_shortest.assign(n, HUGE_VAL);
+    for (int iteration = 0; iteration < 2000 && idle < 3; ++iteration) {
       const double error = newton_step(region, bits);
-      const bool converges = error < 0.95 * best;
       if (error < best) {
         best = error;
         m_best = m_point;
         m_best_radius = m_radius;
       }
-      if (!converges || best <= 0.5)
+      if (best <= 0.5)
         break;
+      ++idle;
+      for (int j = 0; j < n; ++j)
+        if (std::abs(m_step[j]) < 0.98 * m_shortest[j]) {
+          m_shortest[j] = std::abs(m_step[j]);
+          idle = 0;
+        }
       for (int j = 0; j < n; ++j) {
         m_point[j] = stepped(m_point[j], -m_step[j] * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
@@ -121,8 +128,10 @@ private:
   // of these in units of the resolution.
   double newton_step(const Certified_region<Coordinate>& region, int bits)
   {
-    const int n = m_layout.dimension, m = m_layout.equalities;
-    m_source.evaluate(m_source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
+    const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
+    Exact_source& source = *region.source;
+    source.evaluate(source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
+    const auto weight = [&](int j) { return region.weights.empty() ? 1.0 : region.weights[j]; };
     double largest = 0;
     for (int j = 0; j < n; ++j) {
       double step = 0, size = 0;
@@ -134,16 +143,23 @@ private:
       }
       m_step[j] = step;
       m_radius[j] = std::abs(step) + 0x1p-44 * size;
-      largest = (std::max)(largest, m_radius[j]);
+      largest = (std::max)(largest, m_radius[j] / weight(j));
     }
-    m_distance.assign(n, largest / (1 - region.contraction) * (1 + 0x1p-40));
-    for (int sweep = 0; sweep < 3; ++sweep)
+    m_distance.resize(n);
+    for (int j = 0; j < n; ++j)
+      m_distance[j] = weight(j) * largest / (1 - region.contraction) * (1 + 0x1p-40);
+    bool is_better = true;
+    for (int sweep = 0; sweep < 100 && is_better; ++sweep) {
+      is_better = false;
       for (int j = 0; j < n; ++j) {
         double bound = m_radius[j];
         for (int k = 0; k < n; ++k)
           bound += region.bounds[j * n + k] * m_distance[k];
-        m_distance[j] = (std::min)(m_distance[j], bound * (1 + 0x1p-40));
+        bound *= 1 + 0x1p-40;
+        is_better = is_better || bound < 0.9 * m_distance[j];
+        m_distance[j] = (std::min)(m_distance[j], bound);
       }
+    }
     double error = 0;
     for (int j = 0; j < n; ++j) {
       m_radius[j] = m_distance[j] * m_width[j] * (1 + 0x1p-40);

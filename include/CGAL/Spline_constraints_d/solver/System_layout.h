@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +78,9 @@ struct System_layout
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
 
+  // Of the equalities alone, each block with all of them.
+  static System_layout of_mixed_equalities(const System_layout& layout);
+
   // Lays the blocks one after the other, once their axes, degrees and functions are set.
   void place_blocks();
 };
@@ -126,6 +130,33 @@ inline System_layout::System_layout(const Constraint_system_d& system)
       }
     }
   place_blocks();
+}
+
+inline System_layout System_layout::of_mixed_equalities(const System_layout& layout)
+{
+  System_layout result;
+  result.dimension = layout.dimension;
+  result.equalities = result.functions = layout.equalities;
+  std::vector<int> all(layout.equalities);
+  std::iota(all.begin(), all.end(), 0);
+  std::map<std::vector<int>, std::vector<int>> degrees_on;
+  for (const Block& block : layout.blocks)
+    if (!block.functions.empty() && block.functions.front() < layout.equalities) {
+      std::vector<int>& degrees = degrees_on[block.axes];
+      degrees.resize(block.axes.size(), 0);
+      for (std::size_t j = 0; j < degrees.size(); ++j)
+        degrees[j] = (std::max)(degrees[j], block.degrees[j]);
+    }
+  for (const auto& [axes, degrees] : degrees_on) {
+    Block& block = result.blocks.emplace_back();
+    block.axes = axes;
+    block.degrees = degrees;
+    block.functions = all;
+    for (int degree : degrees)
+      block.points *= static_cast<std::size_t>(degree) + 1;
+  }
+  result.place_blocks();
+  return result;
 }
 
 inline void System_layout::place_blocks()

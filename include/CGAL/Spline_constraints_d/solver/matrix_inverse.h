@@ -14,9 +14,9 @@ namespace internal {
 
 /*
 The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
-false when a pivot vanishes beside the matrix. Whoever uses it measures what it got wrong. `work` is destroyed.
+false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` is destroyed.
 */
-inline bool invert(int n, std::vector<double>& work, std::vector<double>& inverse)
+inline bool invert(int n, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
 {
   double largest = 0;
   for (int i = 0; i < n * n; ++i) {
@@ -28,7 +28,7 @@ inline bool invert(int n, std::vector<double>& work, std::vector<double>& invers
     for (int i = c + 1; i < n; ++i)
       if (std::abs(work[i * n + c]) > std::abs(work[pivot * n + c]))
         pivot = i;
-    if (!(std::abs(work[pivot * n + c]) > 1e-14 * largest))
+    if (!(std::abs(work[pivot * n + c]) > least_pivot * largest))
       return false;
     for (int k = 0; pivot != c && k < n; ++k) {
       std::swap(work[c * n + k], work[pivot * n + k]);
