@@ -234,14 +234,14 @@ inline Range values(const Spline_function& function, const Box& box)
   return sum;
 }
 
-// Encloses the partial derivatives of all pieces of a function that meet a box, one range per unknown.
-inline Box derivatives(const Spline_function& function, const Box& box)
+// Encloses the partial derivatives on a box of all pieces of a function that meet another one, one range per unknown.
+inline Box derivatives(const Spline_function& function, const Box& box, const Box& where)
 {
   const Point centre = middle_of(box), radius = radius_of(box);
   Box sum(box.size(), {Exact_rational(0), Exact_rational(0)});
   for (const Spline_term& term : function.terms()) {
     Box hull;
-    visit_pieces(term, box, [&](const Polynomial& piece, const std::vector<std::size_t>&) {
+    visit_pieces(term, where, [&](const Polynomial& piece, const std::vector<std::size_t>&) {
       const Taylor_form form(piece, restricted(centre, term));
       const bool is_first = hull.empty();
       for (std::size_t j = 0; j < term.variables.size(); ++j) {
