@@ -170,7 +170,7 @@ private:
         radius = (std::max)(radius, (std::abs(m_step[j]) + m_slack[j]) / m_trial[j] * (1 + analysis_error));
         largest = (std::max)(largest, m_image[j]);
       }
-      radius = q < 0.99 ? radius / (1 - q) * (1 + analysis_error) : HUGE_VAL;
+      radius = q < 1 ? radius / (1 - q) * (1 + analysis_error) : HUGE_VAL;
       if (radius < m_radius) {
         region.contraction = q;
         region.weights = m_trial;

@@ -74,7 +74,7 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width, m_shortest;
+  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
   std::vector<Coordinate> m_point, m_best;
 
 public:
@@ -93,7 +93,8 @@ public:
     double best = HUGE_VAL;
     int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
     m_shortest.assign(n, HUGE_VAL);
-    for (int iteration = 0; iteration < 2000 && idle < 3; ++iteration) {
+    m_last_step.assign(n, 0);
+    for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
       const double error = newton_step(region, bits);
       if (error < best) {
         best = error;
@@ -109,7 +110,7 @@ public:
           idle = 0;
         }
       for (int j = 0; j < n; ++j) {
-        m_point[j] = stepped(m_point[j], -m_step[j] * m_width[j], bits);
+        m_point[j] = stepped(m_point[j], -extrapolated_step(j, iteration) * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
       }
     }
@@ -124,6 +125,14 @@ public:
   }
 
 private:
+  // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the limit of the geometric series.
+  double extrapolated_step(int j, int iteration)
+  {
+    const double ratio = m_step[j] / m_last_step[j];
+    m_last_step[j] = m_step[j];
+    return iteration % 2 == 1 && std::abs(ratio) > 0.1 && ratio < 1 && ratio > -1 ? m_step[j] / (1 - ratio) : m_step[j];
+  }
+
   // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the point; returns the largest
   // of these in units of the resolution.
   double newton_step(const Certified_region<Coordinate>& region, int bits)
