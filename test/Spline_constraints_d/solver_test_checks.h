@@ -54,7 +54,7 @@ void expect_nothing_lost(const std::vector<Point>& known, const Solutions& solut
   for (const Point& point : known) {
     std::size_t holders = 0;
     for (const auto& solution : solutions)
-      holders += meets(solution.box(), point);
+      holders += meets(solution.exact_box(), point);
     EXPECT_GE(holders, 1u) << text_of(point) << " is lost";
   }
 }
@@ -65,13 +65,16 @@ void expect_consistent_regions(const Solutions& solutions)
 {
   for (const auto& a : solutions)
     if (a.is_certified()) {
-      ASSERT_EQ(a.uniqueness_region().size(), a.box().size());
-      for (std::size_t j = 0; j < a.box().size(); ++j) {
-        EXPECT_LT(a.uniqueness_region()[j].first, a[j].second);
-        EXPECT_LT(a[j].first, a.uniqueness_region()[j].second);
+      const auto box = a.exact_box(), region = a.exact_uniqueness_region();
+      ASSERT_EQ(region.size(), box.size());
+      for (std::size_t j = 0; j < box.size(); ++j) {
+        EXPECT_LT(region[j].first, box[j].second);
+        EXPECT_LT(box[j].first, region[j].second);
+        EXPECT_LE(Rational(a[j].first), box[j].first);
+        EXPECT_LE(box[j].second, Rational(a[j].second));
       }
       for (const auto& b : solutions)
-        EXPECT_TRUE(&a == &b || !b.is_certified() || !contains(a.uniqueness_region(), b.box()));
+        EXPECT_TRUE(&a == &b || !b.is_certified() || !contains(region, b.exact_box()));
     }
 }
 
@@ -86,13 +89,13 @@ void expect_solved(const Problem& problem, const Solutions& solutions)
   for (const Point& point : problem.known) {
     std::size_t holders = 0;
     for (const auto& solution : solutions)
-      holders += meets(solution.box(), point);
+      holders += meets(solution.exact_box(), point);
     EXPECT_EQ(holders, 1u) << text_of(point);
   }
   for (const auto& solution : solutions) {
     std::size_t held = 0;
     for (const Point& point : problem.known)
-      held += meets(solution.box(), point);
+      held += meets(solution.exact_box(), point);
     EXPECT_LE(held, 1u);
     EXPECT_TRUE(verify(problem.system, solution));
     EXPECT_EQ(solution.multiplicity(), 1);

@@ -105,6 +105,8 @@ TEST(Solver_input, Options)
     invalid({.time_limit = bad}, "time limit");
   for (int bad : {-1, 0, 31, 901})
     invalid({.precision = bad}, "precision");
+  for (int bad : {-1, 901})
+    invalid({.ladder_precision = bad}, "ladder");
   invalid({.coarsening_step = 0}, "coarsening step");
   SC::Subdivision_solver_d<> solver({.tolerance = 1e-300, .time_limit = 1e300, .node_limit = 1000000, .precision = 900, .coarsening_step = 1});
   EXPECT_EQ(solver(bitangents().system).count(Solution_kind::CERTIFIED), 4u);

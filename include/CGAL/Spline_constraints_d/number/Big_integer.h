@@ -7,6 +7,8 @@
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/multiprecision/gmp.hpp>
 
 #include <algorithm>
@@ -151,7 +153,9 @@ inline std::pair<Big_integer, long> to_dyadic(double value)
 // \pre the denominator is a power of two
 inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
 {
-  return {numerator_of(value), 1 - bit_length(denominator_of(value))};
+  const Big_integer denominator = denominator_of(value);
+  CGAL_precondition(mpz_popcount(denominator.backend().data()) == 1);
+  return {numerator_of(value), 1 - bit_length(denominator)};
 }
 
 // Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.

@@ -8,7 +8,11 @@
 
 #include <CGAL/number_utils.h>
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -63,7 +67,8 @@ inline std::ostream& operator<<(std::ostream& out, Undecided_reason reason)
 
 One answer of the solver: a box with what is proved of it.
 
-`Coordinate` is `double`, or `Exact_rational` for the number types whose boxes are finer than doubles.
+`Coordinate` is `double`, or `Exact_rational` for the number types whose boxes are finer than doubles. An answer of `Certified_solver_traits` that took more precision than doubles have
+holds both: `exact_box()` is the box that the proof is about, and `box()` the smallest box of doubles around it, which other answers may share.
 */
 template <class Coordinate>
 class Solution_d
@@ -71,13 +76,16 @@ class Solution_d
 public:
   using Range = std::pair<Coordinate, Coordinate>;
   using Box = std::vector<Range>;
+  using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
 private:
   Solution_kind m_kind = Solution_kind::UNDECIDED;
   Undecided_reason m_reason = Undecided_reason::NONE;
   Box m_box, m_region;
+  Exact_box m_exact_box, m_exact_region;   // where they differ from these
   int m_multiplicity = 0;
   const char* m_number_type = "";
+  int m_precision = 0;
 
 public:
   Solution_d() = default;
@@ -86,6 +94,18 @@ public:
     : m_kind(kind), m_reason(reason), m_box(std::move(box)), m_region(std::move(region)), m_multiplicity(multiplicity),
       m_number_type(number_type)
   {}
+
+  //! an answer with finer coordinates, found with `precision` bits.
+  Solution_d(const Solution_d<Exact_rational>& fine, int precision)
+    requires(!std::same_as<Coordinate, Exact_rational>)
+    : m_kind(fine.kind()), m_reason(fine.reason()), m_exact_box(fine.box()), m_exact_region(fine.uniqueness_region()),
+      m_multiplicity(fine.multiplicity()), m_number_type(fine.number_type()), m_precision(precision)
+  {
+    for (const auto& [lower, upper] : m_exact_box)
+      m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
+    for (const auto& [lower, upper] : m_exact_region)
+      m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
+  }
 
   //! what is proved.
   Solution_kind kind() const { return m_kind; }
@@ -98,6 +118,9 @@ public:
   const Box& box() const { return m_box; }
   const Range& operator[](std::size_t unknown) const { return m_box[unknown]; }
 
+  //! the enclosure that the proof is about, which `box()` contains.
+  Exact_box exact_box() const { return m_exact_box.empty() ? Exact_box(m_box.begin(), m_box.end()) : m_exact_box; }
+
   //! the middle of the enclosure, rounded to doubles.
   std::vector<double> point() const
   {
@@ -107,14 +130,21 @@ public:
     return result;
   }
 
-  //! a box around the enclosure that holds no other solution of the equalities; only of a certified solution.
+  //! a box around the enclosure that holds no other solution of the equalities; only of a certified solution. In doubles it is rounded inwards: where `exact_box()` is finer
+  //! than doubles, a range may be empty, its lower end above the upper one.
   const Box& uniqueness_region() const { return m_region; }
+
+  //! the same without rounding.
+  Exact_box exact_uniqueness_region() const { return m_exact_region.empty() ? Exact_box(m_region.begin(), m_region.end()) : m_exact_region; }
 
   //! number of solutions in the box counted with multiplicity; 1 when certified, 0 when not known.
   int multiplicity() const { return m_multiplicity; }
 
   //! the number type that decided: "double", "interval", "multiprecision" or "exact".
   const char* number_type() const { return m_number_type; }
+
+  //! the precision that it took, in bits, when `number_type()` is "multiprecision" and the solver chose it; else 0.
+  int precision() const { return m_precision; }
 };
 
 /*!
@@ -165,7 +195,7 @@ public:
     : m_solutions(std::move(solutions)), m_summary(summary)
   {
     std::sort(m_solutions.begin(), m_solutions.end(), [](const Solution& a, const Solution& b) {
-      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() < b.box();
+      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() != b.box() ? a.box() < b.box() : a.exact_box() < b.exact_box();
     });
   }
 

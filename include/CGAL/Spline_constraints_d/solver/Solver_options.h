@@ -32,6 +32,9 @@ struct Solver_options
   //! bits after the binary point that enclosures with rational coordinates aim at, and the precision of multiprecision numbers; at most 900.
   int precision = 128;
 
+  //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below 128: it does not climb. At most 900.
+  int ladder_precision = 512;
+
   //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not resolved.
   std::size_t coarsening_step = 2048;
 
@@ -44,6 +47,8 @@ struct Solver_options
       throw Invalid_input("Solver_options: the time limit must not be negative");
     if (precision < 32 || precision > 900)
       throw Invalid_input("Solver_options: the precision must lie between 32 and 900 bits");
+    if (ladder_precision < 0 || ladder_precision > 900)
+      throw Invalid_input("Solver_options: the ladder's precision must lie between 0 and 900 bits");
     if (coarsening_step == 0)
       throw Invalid_input("Solver_options: the coarsening step must be positive");
   }

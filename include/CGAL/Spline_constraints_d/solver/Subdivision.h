@@ -270,9 +270,9 @@ private:
   // Doubles end earlier: a box has to stay many units of its last place wide to shrink at all, and beside zero far from underflow.
   double finest_width(const Node& node, int j) const
   {
-    const double finest = (std::max)(m_tolerance * least_width(node, j), 0x1p-250 * m_domain_widths[j]);
+    const double finest = m_tolerance * least_width(node, j);
     if constexpr (std::is_same_v<Coordinate, double>)
-      return (std::max)(finest, 0x1p-49 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])));
+      return (std::max)({finest, 0x1p-250 * m_domain_widths[j], 0x1p-49 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j]))});
     return finest;
   }
 

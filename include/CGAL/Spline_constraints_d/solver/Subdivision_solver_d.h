@@ -9,7 +9,9 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>
@@ -61,41 +63,6 @@ public:
   }
 };
 
-namespace internal {
-
-// The smallest box with dyadic corners around the domain (or a cell of it): it may be an ulp wider, roots are placed exactly later.
-template <class Coordinate>
-std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const Exact_rational& upper, int bits)
-{
-  if constexpr (std::is_same_v<Coordinate, double>) {
-    // An axis of width zero cannot carry a polynomial: it gets the neighbouring doubles.
-    double lo = to_double_interval(lower).first, hi = to_double_interval(upper).second;
-    if (lo == hi) {
-      lo = std::nextafter(lo, -HUGE_VAL);
-      hi = std::nextafter(hi, HUGE_VAL);
-    }
-    if (!std::isfinite(lo) || !std::isfinite(hi))
-      throw Invalid_input("Subdivision_solver_d: the domain does not fit into the range of doubles");
-    return {lo, hi};
-  } else {
-    const Exact_rational unit = power_of_two(bits);
-    const auto floor_of = [&](const Exact_rational& x) {
-      const Exact_rational scaled = x * unit;
-      Big_integer quotient;
-      mpz_fdiv_q(quotient.backend().data(), numerator_of(scaled).backend().data(), denominator_of(scaled).backend().data());
-      return scaled_rational(quotient, -bits);
-    };
-    Exact_rational lo = floor_of(lower), hi = -floor_of(-upper);
-    if (lo == hi) {
-      lo -= power_of_two(-bits);
-      hi += power_of_two(-bits);
-    }
-    return {lo, hi};
-  }
-}
-
-} // namespace internal
-
 template <ConstraintSolverTraits Traits>
 template <SolverVisitor Visitor>
 typename Subdivision_solver_d<Traits>::Solution_set
@@ -118,33 +85,31 @@ Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visi
   internal::Subdivision<Traits, Visitor> subdivision(system, layout, source, m_options, visitor, roots, summary);
   summary.setup_seconds = seconds_since(start);
 
-  // One walk per cell of the grid of breaks.
-  std::size_t cells = 1;
-  for (int v = 0; v < n; ++v)
-    cells *= source.breaks(v).empty() ? 1 : source.breaks(v).size() - 1;
-  for (std::size_t c = 0; c < cells; ++c) {
-    internal::Cell cell(n, 0);
-    std::vector<Coordinate> lower(n), upper(n);
-    std::size_t rest = c;
-    for (int v = n; v-- > 0;) {
-      const auto& breaks = source.breaks(v);
-      if (!breaks.empty()) {
-        cell[v] = static_cast<int>(rest % (breaks.size() - 1));
-        rest /= breaks.size() - 1;
-      }
-      const Exact_rational& begin = breaks.empty() ? system.domain(v).first : breaks[cell[v]];
-      const Exact_rational& end = breaks.empty() ? system.domain(v).second : breaks[cell[v] + 1];
-      std::tie(lower[v], upper[v]) = internal::dyadic_hull<Coordinate>(begin, end, m_options.precision);
-    }
-    subdivision.run(cell, lower, upper, 1.0 / static_cast<double>(cells));
+  std::vector<Exact_rational> lower, upper;
+  double cells = 1;
+  for (int v = 0; v < n; ++v) {
+    lower.push_back(system.domain(v).first);
+    upper.push_back(system.domain(v).second);
+    cells *= source.breaks(v).empty() ? 1.0 : static_cast<double>(source.breaks(v).size()) - 1;
   }
-
+  internal::visit_cell_boxes<Coordinate>(source, lower, upper, m_options.precision, [&](const auto& cell, const auto& part_lower, const auto& part_upper) {
+    subdivision.run(cell, part_lower, part_upper, 1 / cells);
+  });
   internal::merge_boxes_that_meet(subdivision.open_boxes());
   subdivision.resume([&](const auto& box) { return !internal::is_small(box) || !internal::rational_solution_in(system, box).empty(); });
 
   std::vector<typename Solution_set::Solution> solutions;
-  internal::report_roots<Number_type>(roots, solutions);
-  internal::report_open_boxes<Number_type>(system, roots, subdivision.open_boxes(), solutions);
+  for (const auto& root : roots.roots())
+    internal::report_root<Number_type>(root, solutions);
+  std::erase_if(subdivision.open_boxes(), [&](const auto& box) { return roots.is_covered(box.lower, box.upper); });   // its only root is known
+  if constexpr (std::same_as<Number_type, double> && Traits::tracks_rounding) {
+    internal::Precision_ladder ladder(system, layout, source, roots, m_options, m_options.time_limit - seconds_since(start),
+                                      [&] { return bool(visitor.stop()); }, summary);
+    for (const auto& box : subdivision.open_boxes())
+      ladder.report(box, internal::classified<Number_type>(system, box), solutions);
+  } else
+    for (const auto& box : subdivision.open_boxes())
+      solutions.push_back(internal::classified<Number_type>(system, box));
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;

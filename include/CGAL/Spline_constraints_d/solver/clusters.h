@@ -29,21 +29,19 @@ typename Solution_d<Coordinate>::Box make_box(const std::vector<Coordinate>& low
   return box;
 }
 
-// The regular roots in the domain.
+// A regular root, unless it lies outside of the domain.
 template <class NT, class Coordinate>
-void report_roots(const Root_collection<NT>& roots, std::vector<Solution_d<Coordinate>>& solutions)
+void report_root(const Found_root<Coordinate>& root, std::vector<Solution_d<Coordinate>>& solutions)
 {
-  for (const auto& root : roots.roots()) {
-    if (root.position == Position::OUTSIDE)
-      continue;
-    const Undecided_reason reason = root.position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
-                                    : root.position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
-                                    : root.position == Position::ON_EQUALITY      ? Undecided_reason::OVERDETERMINED
-                                                                                  : Undecided_reason::NONE;
-    const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
-    solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),
-                           Number_traits<NT>::name, reason, 1);
-  }
+  if (root.position == Position::OUTSIDE)
+    return;
+  const Undecided_reason reason = root.position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
+                                  : root.position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
+                                  : root.position == Position::ON_EQUALITY      ? Undecided_reason::OVERDETERMINED
+                                                                                : Undecided_reason::NONE;
+  const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
+  solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),
+                         Number_traits<NT>::name, reason, 1);
 }
 
 template <class Coordinate>
@@ -113,54 +111,48 @@ std::vector<Exact_rational> rational_solution_in(const Constraint_system_d& syst
   return satisfies(system, point) ? point : std::vector<Exact_rational>();
 }
 
-// Whether a small box in the interior of the domain holds a solution with some rational coordinates. Chance puts a rational of about log2(1/width) bits into any range: only
+// A solution in a small box, in the interior of the domain, with some rational coordinates, if that can be proved. Chance puts a rational of about log2(1/width) bits into any range: only
 // clearly shorter ones are tried.
 template <class Coordinate>
-bool holds_partly_rational_solution(const Constraint_system_d& system, const Open_box<Coordinate>& box)
+Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& system, const Open_box<Coordinate>& box)
 {
+  const Partly_rational_solution none{Partial_point(box.lower.size()), {}, {}};
   if (!system.inequalities().empty())
-    return false;
+    return none;
   double width = 0;
   for (std::size_t j = 0; j < box.lower.size(); ++j) {
     const Exact_rational lower(box.lower[j]), upper(box.upper[j]), margin(upper - lower);
     if (lower - margin < system.domain(static_cast<int>(j)).first || system.domain(static_cast<int>(j)).second < upper + margin)
-      return false;
+      return none;
     width = (std::max)(width, CGAL::to_double(margin));
   }
   const std::vector<Exact_rational> lower(box.lower.begin(), box.lower.end()), upper(box.upper.begin(), box.upper.end());
-  const Partial_point values = partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
-  return std::any_of(values.begin(), values.end(), [](const auto& value) { return value.has_value(); });
+  return partly_rational_solution(system, lower, upper, static_cast<long>(-0.6 * std::log2(width)));
 }
 
 /*
-What the open boxes are, after those that meet have become one. Everything around such a group was proved empty, so when it is small and provably holds a root, all or some of
+What an open box is, after those that meet have become one. Everything around such a group was proved empty, so when it is small and provably holds a root, all or some of
 whose coordinates are rational, it is a cluster; the rest stays undecided.
 */
 template <class NT, class Coordinate>
-void report_open_boxes(const Constraint_system_d& system, const Root_collection<NT>& roots, std::vector<Open_box<Coordinate>>& boxes,
-                       std::vector<Solution_d<Coordinate>>& solutions)
+Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_box<Coordinate>& box)
 {
-  for (const Open_box<Coordinate>& box : boxes) {
-    if (roots.is_covered(box.lower, box.upper))
-      continue;   // its only root is known
-    Solution_kind kind = Solution_kind::UNDECIDED;
-    Undecided_reason reason = box.reason;
-    int multiplicity = 0;
-    if (reason == Undecided_reason::TOLERANCE && !is_small(box))
-      reason = Undecided_reason::CONTINUUM;
-    if (reason == Undecided_reason::TOLERANCE) {
-      if (const auto point = rational_solution_in(system, box); !point.empty()) {
-        kind = Solution_kind::CLUSTER;
-        reason = Undecided_reason::NONE;
-        multiplicity = local_structure(system, point).multiplicity;
-      } else if (holds_partly_rational_solution(system, box)) {
-        kind = Solution_kind::CLUSTER;
-        reason = Undecided_reason::NONE;
-      }
+  Solution_kind kind = Solution_kind::UNDECIDED;
+  Undecided_reason reason = box.reason;
+  int multiplicity = 0;
+  if (reason == Undecided_reason::TOLERANCE && !is_small(box))
+    reason = Undecided_reason::CONTINUUM;
+  if (reason == Undecided_reason::TOLERANCE) {
+    if (const auto point = rational_solution_in(system, box); !point.empty()) {
+      kind = Solution_kind::CLUSTER;
+      reason = Undecided_reason::NONE;
+      multiplicity = local_structure(system, point).multiplicity;
+    } else if (partly_rational_solution_in(system, box).is_proved()) {
+      kind = Solution_kind::CLUSTER;
+      reason = Undecided_reason::NONE;
     }
-    solutions.emplace_back(kind, make_box(box.lower, box.upper), typename Solution_d<Coordinate>::Box(), Number_traits<NT>::name, reason,
-                           multiplicity);
   }
+  return {kind, make_box(box.lower, box.upper), {}, Number_traits<NT>::name, reason, multiplicity};
 }
 
 } // namespace internal

@@ -49,47 +49,71 @@ inline std::optional<Power_polynomial> restricted(const Spline_function& functio
 }
 
 /*
-Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of at most `longest` bits take that value, the equalities that
-become zero are dropped, and the others must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. Returns
-the values, none of them when there is no proof. The domain and the inequalities are not looked at.
+A solution some of whose coordinates are rational: their values, and ranges of all coordinates in which there is no other solution with these values.
 */
-inline Partial_point partly_rational_solution(const Constraint_system_d& system, const std::vector<Exact_rational>& lower,
-                                              const std::vector<Exact_rational>& upper, long longest)
+struct Partly_rational_solution
+{
+  Partial_point values;   // none: nothing was proved
+  std::vector<Exact_rational> lower, upper;
+
+  bool is_proved() const
+  {
+    return std::any_of(values.begin(), values.end(), [](const auto& value) { return value.has_value(); });
+  }
+};
+
+/*
+Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of at most `longest` bits take that value, the equalities that
+become zero are dropped, and the others must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. The domain and the inequalities
+are not looked at.
+*/
+inline Partly_rational_solution partly_rational_solution(const Constraint_system_d& system, const std::vector<Exact_rational>& lower,
+                                                         const std::vector<Exact_rational>& upper, long longest)
 {
   const std::size_t n = lower.size();
-  const Partial_point none(n);
-  Partial_point values(n);
+  const Partly_rational_solution none{Partial_point(n), {}, {}};
+  Partly_rational_solution result{Partial_point(n), lower, upper};
   Certified_region<Exact_rational> rest;
   std::vector<Constraint_system_d::Domain> domain;
+  std::vector<std::size_t> axes;   // of the rest
   for (std::size_t j = 0; j < n; ++j) {
     const Exact_rational width = upper[j] - lower[j], value = simplest_rational_between(lower[j], upper[j]);
-    if (bit_length(numerator_of(value)) + bit_length(denominator_of(value)) <= longest)
-      values[j] = value;
-    else {
-      rest.lower.push_back(lower[j] - width);
-      rest.upper.push_back(upper[j] + width);
-      domain.emplace_back(rest.lower.back(), rest.upper.back());
+    if (bit_length(numerator_of(value)) + bit_length(denominator_of(value)) <= longest) {
+      result.values[j] = result.lower[j] = result.upper[j] = value;
+      continue;
     }
+    axes.push_back(j);
+    rest.lower.push_back(lower[j] - width);
+    rest.upper.push_back(upper[j] + width);
+    domain.emplace_back(rest.lower.back(), rest.upper.back());
   }
   if (domain.size() == n)
     return none;
   std::vector<Power_polynomial> remaining;
   for (const Spline_function& function : system.equalities()) {
-    const auto polynomial = restricted(function, values);
+    const auto polynomial = restricted(function, result.values);
     if (!polynomial || (polynomial->is_constant() && !polynomial->is_zero()))
       return none;
     if (!polynomial->is_zero())
       remaining.push_back(*polynomial);
   }
   if (domain.empty())
-    return values;
+    return result;
   Constraint_system_d remaining_system(domain);
   for (const Power_polynomial& polynomial : remaining)
     remaining_system.add(polynomial, Relation::EQUAL);
   const System_layout layout(remaining_system);
   Exact_source source(remaining_system, layout);
   Piecewise_certification<Exact_rational> certification(layout, source);
-  return certification.certify(rest) == Piecewise_certification<Exact_rational>::ONE_ROOT ? values : none;
+  if (certification.certify(rest) != Piecewise_certification<Exact_rational>::ONE_ROOT)
+    return none;
+  constexpr int bits = 200;
+  const Root_enclosure<Exact_rational> enclosure = Root_refinement<Exact_rational>().refine(rest, bits);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    result.lower[axes[i]] = enclosure.lower[i];
+    result.upper[axes[i]] = enclosure.upper[i];
+  }
+  return result;
 }
 
 // The coordinates of the root of a region that are rational, by a proof: a solution that is found in the region is that root.
@@ -102,7 +126,7 @@ inline Partial_point rational_coordinates(const Constraint_system_d& system, con
     if (enclosure.lower[j] - width < region.lower[j] || region.upper[j] < enclosure.upper[j] + width)
       return Partial_point(enclosure.lower.size());
   }
-  return partly_rational_solution(system, enclosure.lower, enclosure.upper, longest);
+  return partly_rational_solution(system, enclosure.lower, enclosure.upper, longest).values;
 }
 
 } // namespace internal

@@ -450,22 +450,20 @@ Other kinds of answers carry no proof: `false`. So do boxes with a wrong number 
 Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few times over. Independent of the rounding mode.
 
 \param system the system that was solved.
-\param solution the answer; of it, `kind()` and `box()` are used.
+\param solution the answer; of it, `kind()` and `exact_box()` are used.
 */
 template <class Coordinate>
 bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& solution)
 {
-  internal::verification::Box box;
-  for (const auto& [lower, upper] : solution.box()) {
-    if constexpr (std::is_floating_point_v<Coordinate>)
+  if constexpr (std::is_floating_point_v<Coordinate>)
+    for (const auto& [lower, upper] : solution.box())
       if (!std::isfinite(lower) || !std::isfinite(upper))
         return false;
+  internal::verification::Box box;
+  for (const auto& [lower, upper] : solution.exact_box()) {
     if (upper < lower)
       return false;
-    if constexpr (std::is_floating_point_v<Coordinate>)
-      box.push_back({to_rational(lower), to_rational(upper)});
-    else
-      box.push_back({Exact_rational(lower), Exact_rational(upper)});
+    box.push_back({lower, upper});
   }
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;

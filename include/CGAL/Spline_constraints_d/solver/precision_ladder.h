@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PRECISION_LADDER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PRECISION_LADDER_H
+
+#include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
+#include <CGAL/Spline_constraints_d/solver/Root_collection.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
+#include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/solver_traits.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The boxes that doubles leave open climb: they are subdivided again with 128, 256, ... bits and rational corners, from the exact functions. Only they do; what is decided
+on the way is reported with the precision that decided it, what is left at the end with boxes of that precision.
+
+There is no rung of intervals of doubles between: a double node that is rebuilt from the exact functions, and looked at through C f formed exactly, is as sharp, and ends at
+the same coordinates. Nor one of rationals above: positions on boundaries and multiplicities are decided in exact arithmetic on every rung.
+*/
+class Precision_ladder
+{
+  using Clock = std::chrono::steady_clock;
+  using Number = Mpfr_interval;
+  using Box = Open_box<Exact_rational>;
+
+  // One that asks another, of any type, whether to stop.
+  struct Visitor
+  {
+    std::function<bool()> is_stopped;
+    void on_progress(double) {}
+    bool stop() const { return is_stopped(); }
+  };
+
+  const Constraint_system_d& m_system;
+  const System_layout& m_layout;
+  Exact_source& m_source;
+  const Root_collection<double>& m_known;
+  Solver_options m_options;
+  Visitor m_visitor;
+  Summary& m_summary;
+  std::size_t m_node_limit;
+  Clock::time_point m_deadline;
+  // Bounds what is spent on what no precision decides.
+  static constexpr std::size_t m_budget = 20000;
+
+public:
+  // `seconds`: what is left of the time limit.
+  Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Root_collection<double>& known,
+                   const Solver_options& options, double seconds, std::function<bool()> is_stopped, Summary& summary)
+    : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_visitor{std::move(is_stopped)}, m_summary(summary),
+      m_node_limit(summary.nodes + m_budget)
+  {
+    if (options.node_limit > 0)
+      m_node_limit = (std::min)(m_node_limit, options.node_limit);
+    m_options.node_limit = m_node_limit;
+    m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((std::min)(seconds, 1e9)));
+  }
+
+  // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
+  // that is not regular, and not when the box is large or a limit was reached.
+  void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
+  {
+    const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
+    if (is_regular || answer.reason() == Undecided_reason::TOLERANCE)
+      climb(box, answer, solutions);
+    else
+      solutions.push_back(answer);
+  }
+
+private:
+  // The solution that is known in a cluster is regular: it is the only one in a much smaller box around it.
+  bool holds_regular_solution(const Open_box<double>& box) const
+  {
+    Certified_region<Exact_rational> region;
+    if (const std::vector<Exact_rational> point = rational_solution_in(m_system, box); !point.empty())
+      region.lower = region.upper = point;
+    else {
+      const Partly_rational_solution solution = partly_rational_solution_in(m_system, box);
+      region.lower = solution.lower;
+      region.upper = solution.upper;
+    }
+    for (std::size_t j = 0; j < region.lower.size(); ++j) {
+      const double margin = 0x1p-150 * (std::max)(1.0, std::abs(CGAL::to_double(region.lower[j])));
+      std::tie(region.lower[j], region.upper[j]) = dyadic_hull<Exact_rational>(below(region.lower[j], margin), above(region.upper[j], margin), 300);
+    }
+    using Certification = Piecewise_certification<Exact_rational>;
+    if (Certification(m_layout, m_source).certify(region) == Certification::ONE_ROOT)
+      return true;
+    Preconditioned_system<Exact_rational> preconditioned(m_system, m_layout, m_source, m_summary);
+    return preconditioned.is_applicable() && preconditioned.certify(region) == Certification::ONE_ROOT;
+  }
+
+  void climb(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
+  {
+    std::vector<Box> open{{{box.lower.begin(), box.lower.end()}, {box.upper.begin(), box.upper.end()}, box.reason, box.cell}};
+    int bits = 0;
+    for (int next = 128; !open.empty() && next <= m_options.ladder_precision && m_summary.nodes < m_node_limit; next *= 2) {
+      bits = next;
+      open = step(open, bits, solutions);
+    }
+    if (bits == 0)
+      solutions.push_back(answer);
+    else
+      for (Box& left : open) {
+        if (left.reason == Undecided_reason::NODES)
+          left.reason = Undecided_reason::TOLERANCE;   // the budget of the ladder
+        solutions.emplace_back(classified<Number>(m_system, left), bits);
+      }
+  }
+
+  // Subdivides the boxes with a number of bits; returns what stays open.
+  std::vector<Box> step(const std::vector<Box>& boxes, int bits, std::vector<Solution_d<double>>& solutions)
+  {
+    const Mpfr_precision_scope precision(bits);
+    constexpr int guard_bits = 24;
+    if (m_options.time_limit > 0)
+      m_options.time_limit = (std::max)(std::chrono::duration<double>(m_deadline - Clock::now()).count(), 1e-6);
+    m_options.tolerance = std::ldexp(1.0, guard_bits - bits);
+    Root_collection<Number> roots(m_system, m_layout, m_source, bits);
+    Subdivision<Solver_traits<Number>, Visitor> subdivision(m_system, m_layout, m_source, m_options, m_visitor, roots, m_summary);
+    for (const Box& box : boxes)
+      visit_cell_boxes<Exact_rational>(m_source, box.lower, box.upper, bits, [&](const Cell& cell, const auto& lower, const auto& upper) {
+        subdivision.run(cell, lower, upper, 0);
+      });
+    std::vector<Box>& open = subdivision.open_boxes();
+    merge_boxes_that_meet(open);
+    std::vector<Solution_d<Exact_rational>> found;
+    for (const auto& root : roots.roots())
+      if (!is_known(root))
+        report_root<Number>(root, found);
+    for (const auto& solution : found)
+      solutions.emplace_back(solution, bits);
+    return std::move(open);
+  }
+
+  // A root that was certified in double beside the open box.
+  bool is_known(const Found_root<Exact_rational>& root) const
+  {
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), [&](const Found_root<double>& known) {
+      const auto lies_in = [&](const auto& outer_lower, const auto& outer_upper, const auto& lower, const auto& upper) {
+        for (int j = 0; j < m_layout.dimension; ++j)
+          if (Exact_rational(lower[j]) < Exact_rational(outer_lower[j]) || Exact_rational(outer_upper[j]) < Exact_rational(upper[j]))
+            return false;
+        return true;
+      };
+      return lies_in(known.lower, known.upper, root.enclosure.lower, root.enclosure.upper) ||
+             lies_in(root.lower, root.upper, known.enclosure.lower, known.enclosure.upper);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_PRECISION_LADDER_H
