@@ -4,8 +4,9 @@
 // Solves a polynomial system in Minibex format and prints every answer with its certificate.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--json]
+//                     [--time-limit S] [--parallel] [--json]
 //
+// --parallel uses all cores, if the program was built with TBB; for the number type certified.
 // Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
 #include "solve_system_output.h"
 
@@ -22,7 +23,7 @@ struct Arguments
 {
   std::string file, number_type = "certified", test = "graph";
   SC::Solver_options options;
-  bool json = false;
+  bool json = false, parallel = false;
 };
 
 Arguments parse(int argc, char* argv[])
@@ -39,17 +40,20 @@ Arguments parse(int argc, char* argv[])
     else if (word == "--tolerance") result.options.tolerance = number(word, value());
     else if (word == "--test") result.test = value();
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
+    else if (word == "--parallel") result.parallel = true;
     else if (word == "--json") result.json = true;
     else if (word.starts_with("--") || !result.file.empty()) throw SC::Invalid_input("unknown argument " + word);
     else result.file = word;
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--json]");
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json]");
+  if (result.parallel && result.number_type != "certified")
+    throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
 }
 
-template <class Number, bool tracks_rounding = true>
+template <class Number, bool tracks_rounding = true, class Concurrency_tag = CGAL::Sequential_tag>
 int solve(const Arguments& arguments)
 {
   const SC::Minibex_system input = SC::read_minibex(arguments.file);
@@ -60,7 +64,7 @@ int solve(const Arguments& arguments)
   Progress_bar progress;
   const auto run = [&]<class Test>() {
     using Traits = SC::Solver_traits<Number, Test, SC::Preconditioned_reduction, SC::Smear_splitter, tracks_rounding>;
-    const auto solutions = SC::Subdivision_solver_d<Traits>(arguments.options)(system, progress);
+    const auto solutions = SC::Subdivision_solver_d<Traits, Concurrency_tag>(arguments.options)(system, progress);
     progress.clear();
     arguments.json ? print_json(input.names, solutions) : print_lines(input.names, solutions);
     return solutions.is_complete() ? 0 : 3;
@@ -76,6 +80,7 @@ int main(int argc, char* argv[])
 try {
   const Arguments arguments = parse(argc, argv);
   if (arguments.number_type == "fast") return solve<double, false>(arguments);
+  if (arguments.parallel) return solve<double, true, CGAL::Parallel_if_available_tag>(arguments);
   if (arguments.number_type == "certified") return solve<double>(arguments);
   if (arguments.number_type == "interval") return solve<CGAL::Interval_nt<false>>(arguments);
   if (arguments.number_type == "multiprecision") return solve<SC::Mpfr_interval>(arguments);

@@ -38,7 +38,8 @@ TEST(Precision_ladder, GapsOnBothSides)
     for (const auto& [u, v] : {std::pair<Rational, Rational>{0, 0}, {fraction(1, 3), fraction(1, 7)}, {1, fraction(-1, 2)}}) {
       SCOPED_TRACE(std::to_string(digits) + " digits");
       const Problem crossing = parabola_and_line(u, v, power_of_ten(-digits), 1);
-      const auto solutions = solve(crossing.system);
+      const SC::Solver_options options{.ladder_precision = 512};
+      const auto solutions = solve(crossing.system, options);
       expect_solved(crossing, solutions);
       for (const auto& solution : solutions) {
         EXPECT_LE(solution.precision(), bits_for(digits));
@@ -48,7 +49,7 @@ TEST(Precision_ladder, GapsOnBothSides)
           EXPECT_LT(solution.exact_box()[0].second - solution.exact_box()[0].first, power_of_ten(-digits - 2));
         }
       }
-      const auto none = solve(parabola_and_line(u, v, power_of_ten(-digits), -1).system);
+      const auto none = solve(parabola_and_line(u, v, power_of_ten(-digits), -1).system, options);
       EXPECT_TRUE(none.empty());
       EXPECT_TRUE(none.is_complete());
     }
@@ -98,14 +99,14 @@ TEST(Precision_ladder, EndsWhereItIsTold)
     for (const auto& solution : solutions)
       EXPECT_EQ(solution.precision(), bits);
   }
-  expect_solved(problem, solve(problem.system, {.ladder_precision = 256}));
+  expect_solved(problem, solve(problem.system));
 }
 
 // Irrational and not regular: no precision decides it, and the budget ends.
 TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
 {
   const Problem problem{"double at an irrational point", with_equalities(cube(1, 0, 2), {square(x * x - 2)}), 1, {{Coordinate::near(std::sqrt(2.0))}}};
-  const auto solutions = solve(problem.system, {.ladder_precision = 256});
+  const auto solutions = solve(problem.system);
   EXPECT_FALSE(solutions.is_complete());
   expect_nothing_lost(problem.known, solutions);
   EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);

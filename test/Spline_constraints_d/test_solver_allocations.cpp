@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The node loop of the solver takes no memory: what a run allocates depends on the depth of the subdivision, not on the number of its nodes.
+// The node loop of the solver takes no memory: what a walk allocates depends on the depth of the subdivision, not on the number of its nodes.
 
 #include "solver_test_checks.h"
 
@@ -47,15 +47,31 @@ struct Run
   int depth;
 };
 
+// One task of the solver without a limit: longer runs are cut into tasks of thousands of nodes, which take memory of their own.
 template <class Traits>
-static Run solve_and_count(const System& system)
+static Run walk_and_count(const System& system)
 {
+  using Number_type = typename Traits::Number_type;
+  using Walk = SC::internal::Subdivision<Traits>;
+  using Coordinate = typename Walk::Coordinate;
+  [[maybe_unused]] const typename SC::Number_traits<Number_type>::Rounding_guard guard;
+  const SC::Solver_options options{.tolerance = 1e-14};
+  SC::Default_solver_visitor visitor;
+  SC::internal::Run_control control(visitor, options);
+  SC::Summary summary;
+  const SC::internal::System_layout layout(system);
+  SC::internal::Exact_source source(system, layout);
+  SC::internal::Root_collection<Number_type> roots(system, layout, source, options.precision);
+  Walk walk(system, layout, source, options, control, roots, summary);
+  const std::vector<Coordinate> lower(system.dimension(), Coordinate(-2)), upper(system.dimension(), Coordinate(2));
+  const auto task = Walk::make_task(SC::internal::Cell(system.dimension(), 0), lower, upper, 1);
   const std::size_t before = allocations;
-  const auto solutions = solve_with<Traits>(system, {.tolerance = 1e-14});
-  const Run result{solutions.summary().nodes, solutions.summary().restarts, allocations - before, solutions.summary().depth};
-  EXPECT_TRUE(solutions.is_complete());
-  EXPECT_TRUE(solutions.empty());
-  return result;
+  walk.run(task, {.nodes = std::size_t(1) << 40, .looks = 0, .attempts = 0, .open_before = 0});
+  const std::size_t after = allocations;
+  EXPECT_TRUE(walk.open_boxes().empty());
+  EXPECT_TRUE(walk.pending().empty());
+  EXPECT_TRUE(roots.roots().empty());
+  return {summary.nodes, summary.restarts, after - before, summary.depth};
 }
 
 // Two curves that run side by side at a distance: nothing to report, and the closer they are the more nodes it takes to see that.
@@ -73,9 +89,9 @@ static System parallel_circles(int dimension, const Rational& distance)
 template <class Traits>
 static void expect_independent_of_nodes(int dimension, const Rational& wide, const Rational& narrow)
 {
-  solve_and_count<Traits>(parallel_circles(dimension, wide));   // what is allocated once for all
-  const Run few = solve_and_count<Traits>(parallel_circles(dimension, wide));
-  const Run many = solve_and_count<Traits>(parallel_circles(dimension, narrow));
+  walk_and_count<Traits>(parallel_circles(dimension, wide));   // what is allocated once for all
+  const Run few = walk_and_count<Traits>(parallel_circles(dimension, wide));
+  const Run many = walk_and_count<Traits>(parallel_circles(dimension, narrow));
   EXPECT_GT(few.allocations, 0u);
   EXPECT_GT(many.nodes, 20 * few.nodes);
   EXPECT_LE(many.restarts, few.restarts + 2);   // exact coefficients are big integers

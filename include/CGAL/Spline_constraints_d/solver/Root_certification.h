@@ -151,6 +151,18 @@ public:
     return false;
   }
 
+  // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
+  bool is_same_root(const Root_enclosure<Coordinate>& a, const Root_enclosure<Coordinate>& b)
+  {
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const Coordinate lower = (std::min)(a.lower[j], b.lower[j]), upper = (std::max)(a.upper[j], b.upper[j]);
+      const double margin = 8 * CGAL::to_double(Coordinate(upper - lower));
+      m_across.lower[j] = below(lower, margin);
+      m_across.upper[j] = above(upper, margin);
+    }
+    return test_across_break() == Piecewise::ONE_ROOT;
+  }
+
 private:
   // Tests the box on trial; when rounding hides the answer, or `is_last_attempt`, from the exact functions.
   Trial test_image(const Cell& cell, bool may_rebuild, bool is_last_attempt = false)
@@ -212,25 +224,12 @@ private:
       }
       enclosure = m_roots.refine();
     }
-    if (m_roots.root_that_meets(enclosure) == nullptr || m_roots.is_known(enclosure))
+    const auto* known = m_roots.root_that_meets(enclosure);
+    if (known == nullptr || m_roots.is_known(enclosure))
       m_roots.add(std::move(enclosure));
-    else if (!meets_same_root(enclosure))
+    else if (!is_same_root(known->enclosure, enclosure))
       return false;   // the same or another one: not to be counted
     return true;
-  }
-
-  // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
-  bool meets_same_root(const Root_enclosure<Coordinate>& enclosure)
-  {
-    const auto* known = m_roots.root_that_meets(enclosure);
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      const Coordinate lower = (std::min)(known->enclosure.lower[j], enclosure.lower[j]);
-      const Coordinate upper = (std::max)(known->enclosure.upper[j], enclosure.upper[j]);
-      const double margin = 8 * CGAL::to_double(Coordinate(upper - lower));
-      m_across.lower[j] = below(lower, margin);
-      m_across.upper[j] = above(upper, margin);
-    }
-    return test_across_break() == Piecewise::ONE_ROOT;
   }
 
   // The part of the node, in m_part, reaches into another cell; its box is left in m_across.

@@ -39,14 +39,18 @@ class Root_collection
   Certified_region<Coordinate> m_region;
   std::vector<Coordinate> m_first_lower, m_first_upper;
   std::vector<Found_root<Coordinate>> m_roots;
+  const std::vector<Found_root<Coordinate>>* m_others;
   int m_precision;
   double m_seconds = 0;
 
 public:
-  Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision)
-    : m_position(system, layout, source), m_precision(precision)
+  // `others`: roots that are known from elsewhere, to be counted there.
+  Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision,
+                  const std::vector<Found_root<Coordinate>>* others = nullptr)
+    : m_position(system, layout, source), m_others(others), m_precision(precision)
   {}
 
+  std::vector<Found_root<Coordinate>>& roots() { return m_roots; }
   const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
   double seconds() const { return m_seconds; }
 
@@ -96,21 +100,19 @@ public:
   // A known root whose enclosure meets another one.
   const Found_root<Coordinate>* root_that_meets(const Root_enclosure<Coordinate>& enclosure) const
   {
-    for (const auto& root : m_roots) {
-      bool meets = true;
-      for (std::size_t j = 0; j < enclosure.lower.size() && meets; ++j)
-        meets = enclosure.lower[j] <= root.enclosure.upper[j] && root.enclosure.lower[j] <= enclosure.upper[j];
-      if (meets)
-        return &root;
-    }
-    return nullptr;
+    return find([&](const Found_root<Coordinate>& root) {
+      for (std::size_t j = 0; j < enclosure.lower.size(); ++j)
+        if (root.enclosure.upper[j] < enclosure.lower[j] || enclosure.upper[j] < root.enclosure.lower[j])
+          return false;
+      return true;
+    });
   }
 
   // Whether the root of the region, in this enclosure, is a known one.
-  bool is_known(const Root_enclosure<Coordinate>& enclosure) const
-  {
-    return is_covered(enclosure.lower, enclosure.upper) || covers_known_root(enclosure);
-  }
+  bool is_known(const Root_enclosure<Coordinate>& enclosure) const { return is_known(enclosure, m_first_lower, m_first_upper); }
+
+  // The same for a root that another collection has found.
+  bool is_known(const Found_root<Coordinate>& root) const { return is_known(root.enclosure, root.lower, root.upper); }
 
   // Keeps the root of the region unless it is known.
   void add(Root_enclosure<Coordinate> enclosure)
@@ -126,13 +128,30 @@ public:
   // The box lies in the region of a known root.
   bool is_covered(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper) const
   {
-    for (const auto& root : m_roots)
-      if (contains(root.lower, root.upper, lower, upper))
-        return true;
-    return false;
+    return find([&](const Found_root<Coordinate>& root) { return contains(root.lower, root.upper, lower, upper); }) != nullptr;
   }
 
 private:
+  template <class Predicate>
+  const Found_root<Coordinate>* find(const Predicate& is_wanted) const
+  {
+    for (const auto* roots : {m_others, &m_roots})
+      if (roots != nullptr)
+        for (const Found_root<Coordinate>& root : *roots)
+          if (is_wanted(root))
+            return &root;
+    return nullptr;
+  }
+
+  // An enclosure lies in a known region, or its region holds the enclosure of a known root, which then is the same.
+  bool is_known(const Root_enclosure<Coordinate>& enclosure, const std::vector<Coordinate>& region_lower, const std::vector<Coordinate>& region_upper) const
+  {
+    if (is_covered(enclosure.lower, enclosure.upper))
+      return true;
+    const auto* known = root_that_meets(enclosure);
+    return known != nullptr && contains(region_lower, region_upper, known->enclosure.lower, known->enclosure.upper);
+  }
+
   static bool contains(const std::vector<Coordinate>& outer_lower, const std::vector<Coordinate>& outer_upper,
                        const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
   {
@@ -140,13 +159,6 @@ private:
       if (lower[j] < outer_lower[j] || outer_upper[j] < upper[j])
         return false;
     return true;
-  }
-
-  // The region of the new root holds the enclosure of a known one, which then is the same.
-  bool covers_known_root(const Root_enclosure<Coordinate>& enclosure) const
-  {
-    const auto* known = root_that_meets(enclosure);
-    return known != nullptr && contains(m_first_lower, m_first_upper, known->enclosure.lower, known->enclosure.upper);
   }
 };
 

@@ -33,7 +33,7 @@ struct Solver_options
   int precision = 128;
 
   //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below 128: it does not climb. At most 900.
-  int ladder_precision = 512;
+  int ladder_precision = 256;
 
   //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not resolved.
   std::size_t coarsening_step = 2048;

@@ -10,13 +10,14 @@
 #include <CGAL/Spline_constraints_d/solver/Preconditioned_system.h>
 #include <CGAL/Spline_constraints_d/solver/Root_certification.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
+#include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,21 +34,46 @@ struct Open_box
   Cell cell;
 };
 
+// A part of the domain that is still to be looked at.
+template <class Coordinate>
+struct Subdivision_task
+{
+  Cell cell;
+  std::vector<Coordinate> lower, upper;
+  std::vector<double> domain_widths;   // of the whole cell
+  int depth = 0;
+  double share = 0;                    // of the domain
+};
+
+// What a task may use.
+struct Task_limits
+{
+  std::size_t nodes;         // at least one
+  std::size_t looks;         // at C f, and four more for each that pays
+  std::size_t attempts;      // to certify boxes around open ones: not for the many of a continuum
+  std::size_t open_before;   // boxes that were left open elsewhere
+};
+
 /*
-The depth-first subdivision of the domain. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open.
+The depth-first subdivision of a part of the domain, up to a number of nodes. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open;
+what is left at the end of the budget comes back as tasks.
 */
-template <class Traits, class Visitor>
+template <class Traits>
 class Subdivision
 {
+public:
+  using Coordinate = typename Number_traits<typename Traits::Number_type>::Coordinate;
+  using Task = Subdivision_task<Coordinate>;
+
+private:
   using NT = typename Traits::Number_type;
-  using Coordinate = typename Number_traits<NT>::Coordinate;
   using Node = Box_node<NT>;
 
   enum class Verdict { DONE, CONTRACTED, REBUILT, SPLIT };
 
   const System_layout& m_layout;
   const Solver_options& m_options;
-  Visitor& m_visitor;
+  Run_control& m_control;
   Summary& m_summary;
 
   typename Traits::Termination_test m_test;
@@ -60,70 +86,66 @@ class Subdivision
   Local_box m_box;
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open;
+  std::vector<Task> m_pending;
   std::vector<Relation> m_relations;
   std::vector<double> m_rating, m_widths, m_domain_widths;
   Cell m_cell;
-  std::size_t m_looks = 0, m_gains = 0;   // at C f
+  std::size_t m_looks = 0, m_gains = 0, m_most_looks = 0;   // at C f
+  std::size_t m_most_attempts = 0;
+  std::size_t m_last_node = 0, m_open_before = 0;
+  static constexpr double m_coarsening = 32;
+  static constexpr std::size_t m_poll_interval = std::is_same_v<NT, double> ? 32 : 1;
   double m_tolerance, m_done = 0;
-  Undecided_reason m_stop = Undecided_reason::NONE;
-  std::chrono::steady_clock::time_point m_deadline, m_last_report;
 
 public:
   Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
-              Visitor& visitor, Root_collection<NT>& roots, Summary& summary)
-    : m_layout(layout), m_options(options), m_visitor(visitor), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
+              Run_control& control, Root_collection<NT>& roots, Summary& summary)
+    : m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
       m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
       m_tolerance(options.tolerance)
   {
     for (const auto& inequality : system.inequalities())
       m_relations.push_back(inequality.relation);
-    m_last_report = std::chrono::steady_clock::now();
-    if (options.time_limit > 0)
-      m_deadline = m_last_report + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                     std::chrono::duration<double>((std::min)(options.time_limit, 1e9)));
-  }
-
-  // Walks over a box in one cell, which is a `share` of the domain.
-  void run(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
-  {
-    m_cell = cell;
-    Node& root = level(0);
-    root.lower = lower;
-    root.upper = upper;
     m_domain_widths.resize(m_layout.dimension);
     m_widths.resize(m_layout.dimension);
-    for (int j = 0; j < m_layout.dimension; ++j)
-      m_domain_widths[j] = width(root, j);
-    m_analysis.rebuild(m_cell, root);
-    subdivide(0, 0, share);
   }
 
-  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
-
-  /*
-  Looks again, with a finer tolerance, at the open boxes that `holds_solution(box)` does not know to hold one; those that turn out empty are dropped. Beside a root that is not regular
-  some boxes end at the tolerance just before they would be excluded.
-  */
-  template <class Predicate>
-  void resume(const Predicate& holds_solution)
+  // Walks over a task.
+  void run(const Task& task, const Task_limits& limits)
   {
-    if (m_open.size() > 64 || m_stop != Undecided_reason::NONE)
-      return;
-    const double tolerance = std::exchange(m_tolerance, m_tolerance / 4096);
-    std::vector<Open_box<Coordinate>> boxes, kept;
-    boxes.swap(m_open);
-    for (Open_box<Coordinate>& box : boxes) {
-      const bool is_tried = box.reason == Undecided_reason::TOLERANCE &&
-                            !m_certification.crosses_break(box.cell, box.lower, box.upper) && !holds_solution(box);
-      if (is_tried)
-        run(box.cell, box.lower, box.upper, 0);
-      if (!is_tried || !m_open.empty())
-        kept.push_back(std::move(box));
-      m_open.clear();
-    }
-    m_open = std::move(kept);
-    m_tolerance = tolerance;
+    m_cell = task.cell;
+    m_domain_widths = task.domain_widths;
+    m_last_node = m_summary.nodes + limits.nodes;
+    m_open_before = limits.open_before;
+    m_tolerance = m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
+    m_most_looks = limits.looks;
+    m_most_attempts = limits.attempts;
+    m_looks = m_gains = 0;
+    Node& root = level(0);
+    root.lower = task.lower;
+    root.upper = task.upper;
+    m_analysis.rebuild(m_cell, root);
+    subdivide(0, task.depth, task.share);
+    m_control.add_progress(std::exchange(m_done, 0));
   }
+
+  // The task that a box in one cell is.
+  static Task make_task(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper, double share)
+  {
+    Task task{.cell = cell, .lower = lower, .upper = upper, .domain_widths = {}, .share = share};
+    for (std::size_t j = 0; j < lower.size(); ++j)
+      task.domain_widths.push_back(CGAL::to_double(Coordinate(upper[j] - lower[j])));
+    return task;
+  }
+
+  std::vector<Task>& pending() { return m_pending; }
+
+  // Looks at C f of the last task, and how many of them decided a node.
+  std::size_t looks() const { return m_looks; }
+  std::size_t gains() const { return m_gains; }
+
+  Root_certification<NT>& certification() { return m_certification; }
+  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
 
 private:
   Node& level(std::size_t index)
@@ -142,8 +164,9 @@ private:
     for (bool is_fresh = false;;) {
       ++m_summary.nodes;
       m_summary.depth = (std::max)(m_summary.depth, depth);
-      if (must_stop()) {
-        leave_open(node, m_stop);
+      if (m_summary.nodes > m_last_node || must_stop()) {
+        --m_summary.nodes;
+        m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, share});
         return;
       }
       const Verdict verdict = examine(node, depth, is_fresh);
@@ -158,9 +181,8 @@ private:
       case Verdict::SPLIT:
         const int axis = choose_axis(node);
         if (axis < 0) {
-          constexpr std::size_t many = 64;   // boxes of a continuum
-          if (m_open.size() > many || !m_certification.certify_around(m_cell, node))
-            leave_open(node, Undecided_reason::TOLERANCE);
+          if (m_open.size() >= m_most_attempts || !m_certification.certify_around(m_cell, node))
+            leave_open(node);
           m_done += share;
           return;
         }
@@ -193,7 +215,7 @@ private:
       return Verdict::REBUILT;
     }
     const bool is_wanted = is_blurred || (depth >= 24 && depth % 8 == 0 && !m_analysis.linear.has_inverse());
-    const bool pays = m_looks < 32 + 4 * m_gains;   // not on a continuum, where no C helps
+    const bool pays = m_looks < m_most_looks + 4 * m_gains;   // not on a continuum, where no C helps
     return is_wanted && pays && m_preconditioned.is_applicable() ? look_closer(node) : Verdict::SPLIT;
   }
 
@@ -276,6 +298,14 @@ private:
     return finest;
   }
 
+  bool must_stop()
+  {
+    const bool is_asked = m_summary.nodes % m_poll_interval == 0;
+    if (is_asked)
+      m_control.add_progress(std::exchange(m_done, 0));
+    return m_control.must_stop(is_asked);
+  }
+
   // The best rated axis to split; -1 when there is none left. However it is rated, an axis is not split while another is thousands of times wider: where two equations say
   // nearly the same of some unknowns, the others would have to wait for their last digit.
   int choose_axis(const Node& node)
@@ -303,31 +333,11 @@ private:
   }
 
   // Too many boxes that end at the tolerance are the mark of a continuum: it is then covered more and more coarsely.
-  void leave_open(const Node& node, Undecided_reason reason)
+  void leave_open(const Node& node)
   {
-    m_open.push_back({node.lower, node.upper, reason, m_cell});
-    if (reason == Undecided_reason::TOLERANCE && m_open.size() % m_options.coarsening_step == 0)
-      m_tolerance *= 32;
-  }
-
-  bool must_stop()
-  {
-    if (m_stop != Undecided_reason::NONE)
-      return true;
-    if (m_options.node_limit > 0 && m_summary.nodes > m_options.node_limit)
-      m_stop = Undecided_reason::NODES;
-    else if (m_summary.nodes % (std::is_same_v<NT, double> ? 32 : 1) == 0) {
-      const auto now = std::chrono::steady_clock::now();
-      if (m_options.time_limit > 0 && now >= m_deadline)
-        m_stop = Undecided_reason::TIME;
-      else if (m_visitor.stop())
-        m_stop = Undecided_reason::STOPPED;
-      else if (now - m_last_report > std::chrono::milliseconds(50)) {
-        m_last_report = now;
-        m_visitor.on_progress(m_done);
-      }
-    }
-    return m_stop != Undecided_reason::NONE;
+    m_open.push_back({node.lower, node.upper, Undecided_reason::TOLERANCE, m_cell});
+    if ((m_open_before + m_open.size()) % m_options.coarsening_step == 0)
+      m_tolerance *= m_coarsening;
   }
 };
 

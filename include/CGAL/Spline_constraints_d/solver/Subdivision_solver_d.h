@@ -8,14 +8,12 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_walk.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
 #include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>
-#include <chrono>
 #include <concepts>
 #include <utility>
 #include <vector>
@@ -33,8 +31,10 @@ The box is subdivided; a part is dropped only on a proof that it holds no soluti
 (seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`.
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all cores through TBB. The answers are the same, in the same
+order, except where a time limit or the visitor ends the run.
 */
-template <ConstraintSolverTraits Traits = Certified_solver_traits>
+template <ConstraintSolverTraits Traits = Certified_solver_traits, class Concurrency_tag = CGAL::Sequential_tag>
 class Subdivision_solver_d
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   //! all solutions of the system.
   //! \param system the constraints; at least as many equalities as unknowns.
-  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`.
+  //! \param visitor is told of the progress and can stop the solver; a model of `SolverVisitor`. It is called by one thread at a time, not always by the same one.
   //! \throws Invalid_input when there are fewer equalities than unknowns.
   template <SolverVisitor Visitor>
   Solution_set operator()(const Constraint_system_d& system, Visitor& visitor) const;
@@ -63,14 +63,11 @@ public:
   }
 };
 
-template <ConstraintSolverTraits Traits>
+template <ConstraintSolverTraits Traits, class Concurrency_tag>
 template <SolverVisitor Visitor>
-typename Subdivision_solver_d<Traits>::Solution_set
-Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visitor& visitor) const
+typename Subdivision_solver_d<Traits, Concurrency_tag>::Solution_set
+Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_system_d& system, Visitor& visitor) const
 {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto seconds_since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
@@ -79,54 +76,43 @@ Subdivision_solver_d<Traits>::operator()(const Constraint_system_d& system, Visi
   [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
   Summary summary;
+  internal::Run_control control(visitor, m_options);
   const internal::System_layout layout(system);
-  internal::Exact_source source(system, layout);
-  internal::Root_collection<Number_type> roots(system, layout, source, m_options.precision);
-  internal::Subdivision<Traits, Visitor> subdivision(system, layout, source, m_options, visitor, roots, summary);
-  summary.setup_seconds = seconds_since(start);
-
-  std::vector<Exact_rational> lower, upper;
-  double cells = 1;
-  for (int v = 0; v < n; ++v) {
-    lower.push_back(system.domain(v).first);
-    upper.push_back(system.domain(v).second);
-    cells *= source.breaks(v).empty() ? 1.0 : static_cast<double>(source.breaks(v).size()) - 1;
-  }
-  internal::visit_cell_boxes<Coordinate>(source, lower, upper, m_options.precision, [&](const auto& cell, const auto& part_lower, const auto& part_upper) {
-    subdivision.run(cell, part_lower, part_upper, 1 / cells);
-  });
-  internal::merge_boxes_that_meet(subdivision.open_boxes());
-  subdivision.resume([&](const auto& box) { return !internal::is_small(box) || !internal::rational_solution_in(system, box).empty(); });
+  internal::Subdivision_walk<Traits, Concurrency_tag> walk(system, layout, m_options, control);
+  summary.setup_seconds = control.seconds();
+  walk.run();
+  walk.look_again([&](const auto& box) { return !internal::is_small(box) || !internal::rational_solution_in(system, box).empty(); });
+  walk.add_to(summary);
 
   std::vector<typename Solution_set::Solution> solutions;
-  for (const auto& root : roots.roots())
+  for (const auto& root : walk.roots().roots())
     internal::report_root<Number_type>(root, solutions);
-  std::erase_if(subdivision.open_boxes(), [&](const auto& box) { return roots.is_covered(box.lower, box.upper); });   // its only root is known
+  std::erase_if(walk.open_boxes(), [&](const auto& box) { return walk.roots().is_covered(box.lower, box.upper); });   // its only root is known
   if constexpr (std::same_as<Number_type, double> && Traits::tracks_rounding) {
-    internal::Precision_ladder ladder(system, layout, source, roots, m_options, m_options.time_limit - seconds_since(start),
-                                      [&] { return bool(visitor.stop()); }, summary);
-    for (const auto& box : subdivision.open_boxes())
+    internal::Precision_ladder ladder(system, layout, walk.source(), walk.roots(), m_options, control, summary);
+    for (const auto& box : walk.open_boxes())
       ladder.report(box, internal::classified<Number_type>(system, box), solutions);
   } else
-    for (const auto& box : subdivision.open_boxes())
+    for (const auto& box : walk.open_boxes())
       solutions.push_back(internal::classified<Number_type>(system, box));
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;
       summary.why_not = solution.reason();
     }
-  summary.refinement_seconds = roots.seconds();
-  summary.seconds = seconds_since(start);
+  summary.seconds = control.seconds();
   return Solution_set(std::move(solutions), summary);
 }
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of a system, with the default solver.
+\tparam Concurrency_tag as for `Subdivision_solver_d`.
 */
-inline Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_options& options = {})
+template <class Concurrency_tag = CGAL::Sequential_tag>
+Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_options& options = {})
 {
-  return Subdivision_solver_d<>(options)(system);
+  return Subdivision_solver_d<Certified_solver_traits, Concurrency_tag>(options)(system);
 }
 
 /*!

@@ -13,10 +13,8 @@
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,41 +32,28 @@ the same coordinates. Nor one of rationals above: positions on boundaries and mu
 */
 class Precision_ladder
 {
-  using Clock = std::chrono::steady_clock;
   using Number = Mpfr_interval;
   using Box = Open_box<Exact_rational>;
-
-  // One that asks another, of any type, whether to stop.
-  struct Visitor
-  {
-    std::function<bool()> is_stopped;
-    void on_progress(double) {}
-    bool stop() const { return is_stopped(); }
-  };
 
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
   Exact_source& m_source;
   const Root_collection<double>& m_known;
   Solver_options m_options;
-  Visitor m_visitor;
+  Run_control& m_control;
   Summary& m_summary;
   std::size_t m_node_limit;
-  Clock::time_point m_deadline;
   // Bounds what is spent on what no precision decides.
-  static constexpr std::size_t m_budget = 20000;
+  static constexpr std::size_t m_budget = 5000;
 
 public:
-  // `seconds`: what is left of the time limit.
   Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Root_collection<double>& known,
-                   const Solver_options& options, double seconds, std::function<bool()> is_stopped, Summary& summary)
-    : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_visitor{std::move(is_stopped)}, m_summary(summary),
+                   const Solver_options& options, Run_control& control, Summary& summary)
+    : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_control(control), m_summary(summary),
       m_node_limit(summary.nodes + m_budget)
   {
     if (options.node_limit > 0)
       m_node_limit = (std::min)(m_node_limit, options.node_limit);
-    m_options.node_limit = m_node_limit;
-    m_deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>((std::min)(seconds, 1e9)));
   }
 
   // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
@@ -109,18 +94,15 @@ private:
   {
     std::vector<Box> open{{{box.lower.begin(), box.lower.end()}, {box.upper.begin(), box.upper.end()}, box.reason, box.cell}};
     int bits = 0;
-    for (int next = 128; !open.empty() && next <= m_options.ladder_precision && m_summary.nodes < m_node_limit; next *= 2) {
+    for (int next = 128; !open.empty() && next <= m_options.ladder_precision && m_summary.nodes < m_node_limit && !m_control.must_stop(true); next *= 2) {
       bits = next;
       open = step(open, bits, solutions);
     }
     if (bits == 0)
       solutions.push_back(answer);
     else
-      for (Box& left : open) {
-        if (left.reason == Undecided_reason::NODES)
-          left.reason = Undecided_reason::TOLERANCE;   // the budget of the ladder
+      for (const Box& left : open)
         solutions.emplace_back(classified<Number>(m_system, left), bits);
-      }
   }
 
   // Subdivides the boxes with a number of bits; returns what stays open.
@@ -128,16 +110,19 @@ private:
   {
     const Mpfr_precision_scope precision(bits);
     constexpr int guard_bits = 24;
-    if (m_options.time_limit > 0)
-      m_options.time_limit = (std::max)(std::chrono::duration<double>(m_deadline - Clock::now()).count(), 1e-6);
     m_options.tolerance = std::ldexp(1.0, guard_bits - bits);
     Root_collection<Number> roots(m_system, m_layout, m_source, bits);
-    Subdivision<Solver_traits<Number>, Visitor> subdivision(m_system, m_layout, m_source, m_options, m_visitor, roots, m_summary);
+    using Walk = Subdivision<Solver_traits<Number>>;
+    Walk subdivision(m_system, m_layout, m_source, m_options, m_control, roots, m_summary);
     for (const Box& box : boxes)
       visit_cell_boxes<Exact_rational>(m_source, box.lower, box.upper, bits, [&](const Cell& cell, const auto& lower, const auto& upper) {
-        subdivision.run(cell, lower, upper, 0);
+        const std::size_t budget = m_summary.nodes < m_node_limit ? m_node_limit - m_summary.nodes : 0;
+        subdivision.run(Walk::make_task(cell, lower, upper, 0), {.nodes = budget, .looks = 32, .attempts = 64, .open_before = 0});
       });
     std::vector<Box>& open = subdivision.open_boxes();
+    const Undecided_reason reason = m_control.reason() == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : m_control.reason();
+    for (const auto& task : subdivision.pending())
+      open.push_back({task.lower, task.upper, reason, task.cell});
     merge_boxes_that_meet(open);
     std::vector<Solution_d<Exact_rational>> found;
     for (const auto& root : roots.roots())

@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_WALK_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_WALK_H
+
+#include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
+#include <CGAL/Spline_constraints_d/solver/Root_collection.h>
+#include <CGAL/Spline_constraints_d/solver/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
+#include <CGAL/Spline_constraints_d/solver/clusters.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The walk over the domain, in rounds. The tasks of a round are independent of each other: each is subdivided up to a number of nodes, and what is left are tasks of the next round. Between the
+rounds, in the order of the tasks, roots are collected, each once, and open boxes counted. So the answer does not depend on the number of threads.
+*/
+template <class Traits, class Concurrency_tag>
+class Subdivision_walk
+{
+  using NT = typename Traits::Number_type;
+  using Walk = Subdivision<Traits>;
+  using Coordinate = typename Walk::Coordinate;
+  using Task = typename Walk::Task;
+
+  struct Outcome
+  {
+    std::vector<Found_root<Coordinate>> roots;
+    std::vector<Open_box<Coordinate>> open;
+    std::vector<Task> pending;
+    std::size_t looks = 0, gains = 0;
+  };
+
+  // What a thread needs for itself.
+  struct Worker
+  {
+    Exact_source source;
+    Summary summary;
+    Root_collection<NT> roots;
+    Walk walk;
+
+    Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control,
+           const std::vector<Found_root<Coordinate>>* known)
+      : source(system, layout), roots(system, layout, source, options.precision, known), walk(system, layout, source, options, control, roots, summary)
+    {}
+
+    Outcome run(const Task& task, const Task_limits& limits)
+    {
+      walk.run(task, limits);
+      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.pending(), {}), walk.looks(), walk.gains()};
+    }
+  };
+
+  static constexpr bool is_parallel = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
+
+  const Constraint_system_d& m_system;
+  const System_layout& m_layout;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  Worker m_worker;   // of this thread
+  Root_collection<NT> m_roots;
+  std::vector<Open_box<Coordinate>> m_open;
+  static constexpr std::size_t m_few_looks = 32;   // at C f, formed exactly, before they have to pay
+  static constexpr std::size_t m_few_open = 64;    // boxes; more are the mark of a continuum
+  std::size_t m_looks = 0, m_gains = 0;
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> m_workers;
+#endif
+
+public:
+  Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, &m_roots.roots()),
+      m_roots(system, layout, m_worker.source, options.precision)
+  {}
+
+  Exact_source& source() { return m_worker.source; }
+  Root_collection<NT>& roots() { return m_roots; }
+  std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  void run()
+  {
+    // The first round is short: it makes the tasks of the others. Later ones are long beside the exact rebuild that each task starts with.
+    constexpr std::size_t first_budget = 128, last_budget = 8192;
+    std::vector<Task> tasks = tasks_of_cells();
+    for (std::size_t budget = first_budget; !tasks.empty() && m_control.reason() == Undecided_reason::NONE;) {
+      std::vector<Task> later = postponed(tasks);
+      const std::vector<Task_limits> limits = limits_of(tasks.size(), budget);
+      if (limits.front().nodes > 0)
+        tasks = collect(tasks, run_round(tasks, limits));
+      std::move(later.begin(), later.end(), std::back_inserter(tasks));
+      if (limits.front().nodes == 0)
+        break;
+      budget = (std::min)(2 * budget, last_budget);
+    }
+    const Undecided_reason reason = m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason();
+    for (const Task& task : tasks)
+      m_open.push_back({task.lower, task.upper, reason, task.cell});
+    merge_boxes_that_meet(m_open);
+  }
+
+  /*
+  Looks again, with a finer tolerance, at the open boxes that `holds_solution(box)` does not know to hold one; those that turn out empty are dropped. Beside a root that is not regular
+  some boxes end at the tolerance just before they would be excluded.
+  */
+  template <class Predicate>
+  void look_again(const Predicate& holds_solution)
+  {
+    constexpr std::size_t budget = 10000;
+    if (m_open.empty() || m_open.size() > m_few_open || m_control.reason() != Undecided_reason::NONE)
+      return;
+    Solver_options options = m_options;
+    options.tolerance /= 4096;
+    Worker worker(m_system, m_layout, options, m_control, &m_roots.roots());
+    std::vector<Open_box<Coordinate>> kept;
+    for (Open_box<Coordinate>& box : m_open) {
+      if (box.reason == Undecided_reason::TOLERANCE && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
+          !holds_solution(box)) {
+        Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
+        const bool is_decided = outcome.open.empty() && outcome.pending.empty();
+        const bool are_counted = collect_roots(outcome.roots, box.cell, kept);
+        if (is_decided && are_counted)
+          continue;
+      }
+      kept.push_back(std::move(box));
+    }
+    m_open = std::move(kept);
+    m_worker.summary = sum(m_worker.summary, worker.summary);
+  }
+
+  // Adds what all threads have counted.
+  void add_to(Summary& summary)
+  {
+    summary = sum(summary, m_worker.summary);
+    summary.refinement_seconds += m_worker.roots.seconds();
+#ifdef CGAL_LINKED_WITH_TBB
+    for (const auto& worker : m_workers)
+      if (worker != nullptr) {
+        summary = sum(summary, worker->summary);
+        summary.refinement_seconds += worker->roots.seconds();
+      }
+#endif
+  }
+
+private:
+  static Summary sum(Summary a, const Summary& b)
+  {
+    a.nodes += b.nodes;
+    a.restarts += b.restarts;
+    a.depth = (std::max)(a.depth, b.depth);
+    a.rebuild_seconds += b.rebuild_seconds;
+    return a;
+  }
+
+  std::size_t nodes()
+  {
+    Summary summary;
+    add_to(summary);
+    return summary.nodes;
+  }
+
+  // One per cell of the grid of breaks.
+  std::vector<Task> tasks_of_cells()
+  {
+    std::vector<Exact_rational> lower, upper;
+    double cells = 1;
+    for (int v = 0; v < m_layout.dimension; ++v) {
+      lower.push_back(m_system.domain(v).first);
+      upper.push_back(m_system.domain(v).second);
+      cells *= source().breaks(v).empty() ? 1.0 : static_cast<double>(source().breaks(v).size()) - 1;
+    }
+    std::vector<Task> tasks;
+    visit_cell_boxes<Coordinate>(source(), lower, upper, m_options.precision, [&](const auto& cell, const auto& part_lower, const auto& part_upper) {
+      tasks.push_back(Walk::make_task(cell, part_lower, part_upper, 1 / cells));
+    });
+    return tasks;
+  }
+
+  // Takes the tasks that are not for this round. Where boxes stay open, as on a continuum, rounds are small: the number of open boxes tells the next ones how coarse they may be.
+  std::vector<Task> postponed(std::vector<Task>& tasks) const
+  {
+    constexpr std::size_t few_tasks = 8;
+    std::vector<Task> later;
+    if (m_open.size() > m_few_open && tasks.size() > few_tasks) {
+      std::move(tasks.begin() + few_tasks, tasks.end(), std::back_inserter(later));
+      tasks.resize(few_tasks);
+    }
+    return later;
+  }
+
+  // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts that are left.
+  std::vector<Task_limits> limits_of(std::size_t count, std::size_t budget)
+  {
+    const std::size_t all_looks = m_few_looks + 4 * m_gains, looks = m_looks < all_looks ? all_looks - m_looks : 0;
+    const std::size_t attempts = m_open.size() < m_few_open ? m_few_open - m_open.size() + count - 1 : 0;
+    std::vector<Task_limits> limits(count, {.nodes = budget, .looks = looks / count, .attempts = attempts / count, .open_before = m_open.size()});
+    for (std::size_t i = 0; i < looks % count; ++i)
+      ++limits[i].looks;
+    if (m_options.node_limit > 0) {
+      const std::size_t used = nodes();
+      std::size_t left = used < m_options.node_limit ? m_options.node_limit - used : 0;
+      for (Task_limits& limit : limits) {
+        limit.nodes = (std::min)(limit.nodes, left);
+        left -= limit.nodes;
+      }
+    }
+    return limits;
+  }
+
+  std::vector<Outcome> run_round(const std::vector<Task>& tasks, const std::vector<Task_limits>& limits)
+  {
+    std::vector<Outcome> outcomes(tasks.size());
+    const auto run_task = [&](std::size_t i, Worker& worker) {
+      if (limits[i].nodes == 0)
+        outcomes[i].pending.push_back(tasks[i]);
+      else
+        outcomes[i] = worker.run(tasks[i], limits[i]);
+    };
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (is_parallel) {
+      if (tasks.size() > 1) {
+        tbb::parallel_for(std::size_t(0), tasks.size(), [&](std::size_t i) {
+          [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
+          [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+          auto& worker = m_workers.local();
+          if (worker == nullptr)
+            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots());
+          run_task(i, *worker);
+        });
+        return outcomes;
+      }
+    }
+#else
+    static_assert(!is_parallel, "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
+#endif
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      run_task(i, m_worker);
+    return outcomes;
+  }
+
+  // Puts together what the tasks found; returns the tasks of the next round.
+  std::vector<Task> collect(const std::vector<Task>& tasks, std::vector<Outcome> outcomes)
+  {
+    std::vector<Task> pending;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      collect_roots(outcomes[i].roots, tasks[i].cell, m_open);
+      m_looks += outcomes[i].looks;
+      m_gains += outcomes[i].gains;
+      std::move(outcomes[i].open.begin(), outcomes[i].open.end(), std::back_inserter(m_open));
+      std::move(outcomes[i].pending.begin(), outcomes[i].pending.end(), std::back_inserter(pending));
+    }
+    return pending;
+  }
+
+  // Roots that were found by tasks that did not know of each other; one that may be another one or not is left open. Returns whether there is none of these.
+  bool collect_roots(std::vector<Found_root<Coordinate>>& found, const Cell& cell, std::vector<Open_box<Coordinate>>& open)
+  {
+    bool are_counted = true;
+    for (Found_root<Coordinate>& root : found) {
+      if (m_roots.is_known(root))
+        continue;
+      const auto* known = m_roots.root_that_meets(root.enclosure);
+      if (known == nullptr)
+        m_roots.roots().push_back(std::move(root));
+      else if (!m_worker.walk.certification().is_same_root(known->enclosure, root.enclosure)) {
+        open.push_back({root.enclosure.lower, root.enclosure.upper, Undecided_reason::TOLERANCE, cell});
+        are_counted = false;
+      }
+    }
+    return are_counted;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_WALK_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Parallel_tag finds what Sequential_tag finds, in the same order, digit for digit.
+
+#ifndef CGAL_LINKED_WITH_TBB
+#define CGAL_LINKED_WITH_TBB
+#endif
+
+#include "solver_test_checks.h"
+
+#include <tbb/global_control.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace solver_test;
+
+template <class Solutions>
+static void expect_equal(const Solutions& a, const Solutions& b)
+{
+  EXPECT_EQ(a.summary().nodes, b.summary().nodes);
+  EXPECT_EQ(a.summary().restarts, b.summary().restarts);
+  EXPECT_EQ(a.summary().depth, b.summary().depth);
+  EXPECT_EQ(a.summary().is_complete, b.summary().is_complete);
+  EXPECT_EQ(a.summary().why_not, b.summary().why_not);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].kind(), b[i].kind());
+    EXPECT_EQ(a[i].reason(), b[i].reason());
+    EXPECT_EQ(a[i].multiplicity(), b[i].multiplicity());
+    EXPECT_EQ(a[i].precision(), b[i].precision());
+    EXPECT_EQ(a[i].exact_box(), b[i].exact_box());
+    EXPECT_EQ(a[i].exact_uniqueness_region(), b[i].exact_uniqueness_region());
+  }
+}
+
+// Three threads, however many cores there are.
+template <class Traits>
+static void check_both(const Problem& problem, const SC::Solver_options& options = {})
+{
+  SCOPED_TRACE(problem.name);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  const auto sequential = SC::Subdivision_solver_d<Traits>(options)(problem.system);
+  for (int run = 0; run < 2; ++run)
+    expect_equal(sequential, SC::Subdivision_solver_d<Traits, CGAL::Parallel_tag>(options)(problem.system));
+}
+
+TEST(Parallel, SameAnswers)
+{
+  for (const Problem& problem : {cyclic_chebyshev(3, 4), cyclic_chebyshev(8, 2), mixed_chebyshev(4, 3), lines_tangent_to_spheres(), zigzag(),
+                                 cyclic_chebyshev_in_pieces(5)}) {
+    check_both<SC::Certified_solver_traits>(problem);
+    expect_solved(problem, solve<CGAL::Parallel_tag>(problem.system));
+  }
+  EXPECT_GT(solve(cyclic_chebyshev(8, 2).system).summary().nodes, 1000u);
+}
+
+TEST(Parallel, OtherNumberTypes)
+{
+  check_both<SC::Interval_solver_traits>(mixed_chebyshev(4, 2));
+  check_both<SC::Multiprecision_solver_traits>(cyclic_chebyshev(3, 3));
+  check_both<SC::Exact_solver_traits>(cyclic_chebyshev(2, 4));
+}
+
+// What stays open, and where limits end a run.
+TEST(Parallel, SameUndecidedBoxes)
+{
+  const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1);
+  const Problem circle{"circle twice", with_equalities(cube(2, -2, 2), {x * x + y * y - 1, square(x * x + y * y) - 1}), 0, {}};
+  check_both<SC::Certified_solver_traits>(circle, {.tolerance = 1e-6});
+  for (std::size_t limit : {100, 500, 1500})
+    check_both<SC::Certified_solver_traits>(cyclic_chebyshev(8, 2), {.node_limit = limit});
+}
+
+struct Counting_visitor
+{
+  std::atomic<int> inside = 0;
+  int asked = 0, limit;
+  bool is_alone = true;
+
+  explicit Counting_visitor(int limit) : limit(limit) {}
+  void on_progress(double fraction) { is_alone = is_alone && fraction >= 0 && fraction <= 1 && inside == 0; }
+  bool stop()
+  {
+    is_alone = is_alone && ++inside == 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    --inside;
+    return ++asked > limit;
+  }
+};
+
+// One thread at a time calls the visitor, and the answer of a stopped run loses nothing.
+TEST(Parallel, Visitor)
+{
+  const Problem problem = cyclic_chebyshev(8, 2);
+  const SC::Subdivision_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag> solver;
+  Counting_visitor patient(1000000), impatient(10);
+  expect_solved(problem, solver(problem.system, patient));
+  EXPECT_GT(patient.asked, 20);
+  EXPECT_TRUE(patient.is_alone);
+  const auto stopped = solver(problem.system, impatient);
+  EXPECT_EQ(stopped.summary().why_not, SC::Undecided_reason::STOPPED);
+  EXPECT_TRUE(impatient.is_alone);
+  expect_nothing_lost(problem.known, stopped);
+}
