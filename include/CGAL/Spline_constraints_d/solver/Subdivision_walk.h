@@ -14,6 +14,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -237,14 +238,21 @@ private:
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (is_parallel) {
       if (tasks.size() > 1) {
+        // TBB orders all this already; the atomic number says so to tools that do not see into its library.
+        std::atomic<std::size_t> handed_over = 0;
+        const auto hand_over = [&] { handed_over.fetch_add(1, std::memory_order_acq_rel); };
+        hand_over();
         tbb::parallel_for(std::size_t(0), tasks.size(), [&](std::size_t i) {
+          hand_over();
           [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
           [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
           auto& worker = m_workers.local();
           if (worker == nullptr)
             worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots());
           run_task(i, *worker);
+          hand_over();
         });
+        hand_over();
         return outcomes;
       }
     }
