@@ -201,7 +201,8 @@ private:
   {
     Root_enclosure<Coordinate> enclosure = m_roots.refine();
     for (const double least_margin : {0x1p-24, 0x1p-34, 0x1p-44, 0x1p-44, 0x1p-44}) {
-      if (enclosure.error <= 16)
+      const bool is_first = least_margin == 0x1p-24;
+      if (enclosure.error <= 16 || (!is_first && !is_wide(enclosure)))
         break;
       for (int j = 0; j < m_layout.dimension; ++j) {
         const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
@@ -230,6 +231,17 @@ private:
     else if (!is_same_root(known->enclosure, enclosure))
       return false;   // the same or another one: not to be counted
     return true;
+  }
+
+  // Some range is wide beside what coordinates could tell apart, zero not taken for a place where they are endlessly fine.
+  static bool is_wide(const Root_enclosure<Coordinate>& enclosure)
+  {
+    for (std::size_t j = 0; j < enclosure.lower.size(); ++j) {
+      const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
+      if (upper - lower > 0x1p-46 * (std::max)(1.0, std::abs(lower)))
+        return true;
+    }
+    return false;
   }
 
   // The part of the node, in m_part, reaches into another cell; its box is left in m_across.
