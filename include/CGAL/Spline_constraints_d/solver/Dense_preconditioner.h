@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +27,7 @@ affine rows, since the cancellation between the equations happens before the bou
 class Dense_preconditioner
 {
   const System_layout* m_source = nullptr;
-  bool m_is_applicable = false;
+  bool m_is_applicable = false, m_is_cheap = false;
   std::unique_ptr<System_layout> m_layout;   // the equalities alone
   std::unique_ptr<Node_view> m_view;
   std::vector<std::size_t> m_block;          // of the source
@@ -41,6 +42,10 @@ public:
       prepare(source);
     return m_is_applicable;
   }
+
+  // By counted operations, to form C f costs no more than to split the node and look at both halves: n multiplications per coefficient, beside half a degree for the split and about
+  // a dozen operations in the passes that bound functions, slopes, derivatives and layers, each on two nodes.
+  bool is_cheap() const { return m_is_cheap; }
 
   // The preconditioned equalities as a node of their own; null when the mean slopes are singular. C needs no proof: a solution of f solves C f whatever C is.
   Node_view* apply(Node_view& node)
@@ -112,6 +117,14 @@ private:
     if (!m_is_applicable)
       return;
     m_layout->place_blocks();
+    double products = 0, passes = 0;
+    for (const Block& block : m_layout->blocks) {
+      const double degrees = std::accumulate(block.degrees.begin(), block.degrees.end(), 0.0);
+      const double degree = block.degrees.empty() ? 0 : degrees / static_cast<double>(block.degrees.size());
+      products += static_cast<double>(block.size()) * source.equalities;
+      passes += static_cast<double>(block.size()) * 2 * (0.5 * degree + 12);
+    }
+    m_is_cheap = products <= passes;
     m_view = std::make_unique<Node_view>(*m_layout);
     m_coefficients.resize(m_layout->size);
     m_errors.resize(m_layout->errors);

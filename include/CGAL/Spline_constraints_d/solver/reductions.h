@@ -121,7 +121,8 @@ private:
 The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine enclosures.
 
 The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
-and separable equations are never expanded. A second sweep follows while the linear rows still gain, since it is cheap beside a pass.
+and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks and, by counted
+operations, that costs no more than a split. A second sweep follows while the linear rows still gain, since it is cheap beside a pass.
 
 \cgalModels{Reduction}
 */
@@ -138,7 +139,7 @@ public:
       return false;
     if (!m_projection.contract(node, linear, box))
       return false;
-    if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && !contract_dense(node, linear, box))
+    if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && m_dense.is_cheap() && !contract_dense(node, linear, box))
       return false;
     return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
   }
