@@ -50,6 +50,8 @@ public:
     : m_position(system, layout, source), m_others(others), m_precision(precision)
   {}
 
+  void set_others(const std::vector<Found_root<Coordinate>>* others) { m_others = others; }
+
   std::vector<Found_root<Coordinate>>& roots() { return m_roots; }
   const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
   double seconds() const { return m_seconds; }

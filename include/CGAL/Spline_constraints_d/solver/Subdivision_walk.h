@@ -89,9 +89,11 @@ class Subdivision_walk
 
 public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, &m_roots.roots()),
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr),
       m_roots(system, layout, m_worker.source, options.precision)
-  {}
+  {
+    m_worker.roots.set_others(&m_roots.roots());
+  }
 
   Exact_source& source() { return m_worker.source; }
   Root_collection<NT>& roots() { return m_roots; }
