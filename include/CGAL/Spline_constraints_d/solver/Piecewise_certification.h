@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  // Fills in C and the bounds on |I - C J|, and C f at the centre.
+  // Fills in C and the bounds on |I - C J|, and C f at the centre; false when they are not finite.
   bool bound_contraction(Certified_region<Coordinate>& region)
   {
     const int n = m_layout.dimension;
@@ -104,8 +104,11 @@ private:
         contraction_row(
           n, n, j, inverse, [&](int i, int k) { return m_lower[c + i * n + k]; }, [&](int i, int k) { return m_upper[c + i * n + k]; },
           m_work.data());
-        for (int k = 0; k < n; ++k)
-          region.bounds[j * n + k] = m_work[k] <= region.bounds[j * n + k] ? region.bounds[j * n + k] : m_work[k];
+        for (int k = 0; k < n; ++k) {
+          if (!(m_work[k] < HUGE_VAL))
+            return false;   // an overflow bounds nothing, and maxima would lose a NaN
+          region.bounds[j * n + k] = (std::max)(region.bounds[j * n + k], m_work[k]);
+        }
       }
     }
     m_step.assign(n, 0);
@@ -117,6 +120,8 @@ private:
         m_step[j] += value;
         m_slack[j] += analysis_error * std::abs(value);
       }
+      if (!std::isfinite(m_step[j]))
+        return false;
     }
     return true;
   }
