@@ -90,6 +90,8 @@ public:
       m_width[j] = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j])) * (1 + 0x1p-50);
       m_point[j] = stepped(region.lower[j], (region.start.empty() ? 0.5 : region.start[j]) * m_width[j], bits);
     }
+    m_best = m_point;   // with the whole region around it, should no step be finite
+    m_best_radius = m_width;
     double best = HUGE_VAL;
     int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
     m_shortest.assign(n, HUGE_VAL);
@@ -134,7 +136,7 @@ private:
   }
 
   // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the point; returns the largest
-  // of these in units of the resolution.
+  // of these in units of the resolution, infinity where a value left the range of double.
   double newton_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
@@ -152,6 +154,8 @@ private:
       }
       m_step[j] = step;
       m_radius[j] = std::abs(step) + 0x1p-44 * size;
+      if (!std::isfinite(m_radius[j]))
+        return HUGE_VAL;   // out of the range of double: no distance is known
       largest = (std::max)(largest, m_radius[j] / weight(j));
     }
     m_distance.resize(n);
