@@ -50,15 +50,7 @@ inline Exact_rational evaluate_exactly(const Spline_function& function, const st
 {
   Exact_rational sum(0);
   for (const Spline_term& term : function.terms()) {
-    std::size_t cell = 0;
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      const auto& breaks = term.breaks[j];
-      std::size_t own = 0;
-      while (own + 1 < term.cells(j) && breaks[own + 1] <= point[term.variables[j]])
-        ++own;
-      cell = cell * term.cells(j) + own;
-    }
-    std::vector<Exact_rational> values = term.pieces[cell];
+    std::vector<Exact_rational> values = piece_at(term, point);
     for (std::size_t j = term.variables.size(); j-- > 0;) {   // Horner along the last axis that is left
       const std::size_t line = static_cast<std::size_t>(term.degrees[j]) + 1, lines = values.size() / line;
       for (std::size_t i = 0; i < lines; ++i) {

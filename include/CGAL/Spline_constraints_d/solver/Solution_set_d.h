@@ -29,7 +29,7 @@ What is proved of the box of a solution.
 enum class Solution_kind {
   CERTIFIED,   ///< exactly one solution of the equalities, and it is regular, in the domain, and satisfies all inequalities
   CLUSTER,     ///< at least one solution, not regular or not told apart from others; no solution elsewhere near the box
-  CONTINUUM,   ///< solutions of positive dimension
+  CONTINUUM,   ///< infinitely many solutions: all that lie in the box, or in the boxes of `Solution_d::cover()`
   UNDECIDED    ///< may hold solutions; `Solution_d::reason()` says what stopped the solver
 };
 
@@ -86,6 +86,9 @@ private:
   int m_multiplicity = 0;
   const char* m_number_type = "";
   int m_precision = 0;
+  int m_dimension = 0;
+  std::vector<Exact_box> m_cover;
+  std::vector<std::vector<Exact_rational>> m_ends;
 
 public:
   Solution_d() = default;
@@ -105,6 +108,23 @@ public:
       m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
     for (const auto& [lower, upper] : m_exact_region)
       m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
+  }
+
+  //! a continuum of the given dimension that some boxes cover; or the segment between two points.
+  Solution_d(int dimension, std::vector<Exact_box> cover, std::vector<std::vector<Exact_rational>> ends)
+    : m_kind(Solution_kind::CONTINUUM), m_number_type("exact"), m_dimension(dimension), m_cover(std::move(cover)), m_ends(std::move(ends))
+  {
+    m_exact_box = m_cover.front();
+    for (const Exact_box& part : m_cover)
+      for (std::size_t j = 0; j < part.size(); ++j) {
+        m_exact_box[j].first = (std::min)(m_exact_box[j].first, part[j].first);
+        m_exact_box[j].second = (std::max)(m_exact_box[j].second, part[j].second);
+      }
+    for (const auto& [lower, upper] : m_exact_box)
+      if constexpr (std::same_as<Coordinate, Exact_rational>)
+        m_box.emplace_back(lower, upper);
+      else
+        m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
   }
 
   //! what is proved.
@@ -136,6 +156,30 @@ public:
 
   //! the same without rounding.
   Exact_box exact_uniqueness_region() const { return m_exact_region.empty() ? Exact_box(m_region.begin(), m_region.end()) : m_exact_region; }
+
+  //! the dimension of the set of solutions that a `CONTINUUM` is; 0 for other kinds.
+  int dimension() const { return m_dimension; }
+
+  //! boxes that hold all solutions of a `CONTINUUM`; empty for other kinds. They touch each other; one or several connected components run through them. Each holds solutions of the dimension
+  //! of the continuum, except for tiny ones where it has a singular point or leaves the set that the inequalities describe.
+  const std::vector<Exact_box>& cover() const { return m_cover; }
+
+  //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the closure of what the inequalities allow. Empty otherwise.
+  const std::vector<std::vector<Exact_rational>>& ends() const { return m_ends; }
+
+#ifndef DOXYGEN_RUNNING
+  // Another region, which holds the enclosure.
+  void set_uniqueness_region(Exact_box region)
+  {
+    m_region.clear();
+    for (const auto& [lower, upper] : region)
+      if constexpr (std::same_as<Coordinate, Exact_rational>)
+        m_region.emplace_back(lower, upper);
+      else
+        m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
+    m_exact_region = std::move(region);
+  }
+#endif
 
   //! number of solutions in the box counted with multiplicity; 1 when certified, 0 when not known.
   int multiplicity() const { return m_multiplicity; }

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,6 +53,7 @@ struct Task_limits
   std::size_t looks;         // at C f, and four more for each that pays
   std::size_t attempts;      // to certify boxes around open ones: not for the many of a continuum
   std::size_t open_before;   // boxes that were left open elsewhere
+  int depth = (std::numeric_limits<int>::max)();   // the first box that was split more often ends the task
 };
 
 /*
@@ -93,6 +95,7 @@ private:
   std::size_t m_looks = 0, m_gains = 0, m_most_looks = 0;   // at C f
   std::size_t m_most_attempts = 0;
   std::size_t m_last_node = 0, m_open_before = 0;
+  int m_deepest = 0;
   static constexpr double m_coarsening = 32;
   static constexpr std::size_t m_poll_interval = std::is_same_v<NT, double> ? 32 : 1;
   double m_tolerance, m_done = 0;
@@ -117,6 +120,7 @@ public:
     m_domain_widths = task.domain_widths;
     m_last_node = m_summary.nodes + limits.nodes;
     m_open_before = limits.open_before;
+    m_deepest = limits.depth;
     m_tolerance = m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
     m_most_looks = limits.looks;
     m_most_attempts = limits.attempts;
@@ -164,8 +168,8 @@ private:
     for (bool is_fresh = false;;) {
       ++m_summary.nodes;
       m_summary.depth = (std::max)(m_summary.depth, depth);
-      if (m_summary.nodes > m_last_node || must_stop()) {
-        --m_summary.nodes;
+      if (m_summary.nodes > m_last_node || depth > m_deepest || must_stop()) {
+        m_last_node = --m_summary.nodes;
         m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, share});
         return;
       }

@@ -8,9 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_walk.h>
-#include <CGAL/Spline_constraints_d/solver/clusters.h>
-#include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
+#include <CGAL/Spline_constraints_d/solver/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>
@@ -77,24 +75,7 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
   Summary summary;
   internal::Run_control control(visitor, m_options);
-  const internal::System_layout layout(system);
-  internal::Subdivision_walk<Traits, Concurrency_tag> walk(system, layout, m_options, control);
-  summary.setup_seconds = control.seconds();
-  walk.run();
-  walk.look_again([&](const auto& box) { return !internal::is_small(box) || !internal::rational_solution_in(system, box).empty(); });
-  walk.add_to(summary);
-
-  std::vector<typename Solution_set::Solution> solutions;
-  for (const auto& root : walk.roots().roots())
-    internal::report_root<Number_type>(root, solutions);
-  std::erase_if(walk.open_boxes(), [&](const auto& box) { return walk.roots().is_covered(box.lower, box.upper); });   // its only root is known
-  if constexpr (std::same_as<Number_type, double> && Traits::tracks_rounding) {
-    internal::Precision_ladder ladder(system, layout, walk.source(), walk.roots(), m_options, control, summary);
-    for (const auto& box : walk.open_boxes())
-      ladder.report(box, internal::classified<Number_type>(system, box), solutions);
-  } else
-    for (const auto& box : walk.open_boxes())
-      solutions.push_back(internal::classified<Number_type>(system, box));
+  std::vector<typename Solution_set::Solution> solutions = internal::all_solutions<Traits, Concurrency_tag>(system, m_options, control, summary);
   for (const auto& solution : solutions)
     if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
       summary.is_complete = false;

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/common_components.h>
 
 #include <CGAL/tags.h>
 
@@ -17,7 +18,9 @@
 #include <atomic>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -80,6 +83,7 @@ class Subdivision_walk
   Worker m_worker;   // of this thread
   Root_collection<NT> m_roots;
   std::vector<Open_box<Coordinate>> m_open;
+  std::map<Cell, std::optional<Common_cell>> m_common;   // of the cells that were looked at
   static constexpr std::size_t m_few_looks = 32;   // at C f, formed exactly, before they have to pay
   static constexpr std::size_t m_few_open = 64;    // boxes; more are the mark of a continuum
   std::size_t m_looks = 0, m_gains = 0;
@@ -99,16 +103,30 @@ public:
   Root_collection<NT>& roots() { return m_roots; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
 
+  // Cells that the walk has left since the equalities have a common factor there; solutions that were certified there stay among the roots.
+  std::vector<Common_cell> common_cells() const
+  {
+    std::vector<Common_cell> result;
+    for (const auto& [cell, common] : m_common)
+      if (common)
+        result.push_back(*common);
+    return result;
+  }
+
   void run()
   {
-    // The first round is short: it makes the tasks of the others. Later ones are long beside the exact rebuild that each task starts with.
+    // The first round is short: it makes the tasks of the others, and ends where boxes become small and stay undecided. Later ones are long beside the exact rebuild that each task starts with.
     constexpr std::size_t first_budget = 128, last_budget = 8192;
     std::vector<Task> tasks = tasks_of_cells();
     for (std::size_t budget = first_budget; !tasks.empty() && m_control.reason() == Undecided_reason::NONE;) {
       std::vector<Task> later = postponed(tasks);
-      const std::vector<Task_limits> limits = limits_of(tasks.size(), budget);
+      std::vector<Task_limits> limits = limits_of(tasks.size(), budget);
+      if (budget == first_budget)
+        for (Task_limits& limit : limits)
+          limit.depth = 8 * (m_layout.dimension + 1);
       if (limits.front().nodes > 0)
         tasks = collect(tasks, run_round(tasks, limits));
+      leave_common_cells(tasks);
       std::move(later.begin(), later.end(), std::back_inserter(tasks));
       if (limits.front().nodes == 0)
         break;
@@ -207,6 +225,19 @@ private:
       tasks.resize(few_tasks);
     }
     return later;
+  }
+
+  // Takes what lies in cells where the equalities have a common factor out of the tasks and of the open boxes. What the first round decides is never asked for one.
+  void leave_common_cells(std::vector<Task>& tasks)
+  {
+    const auto is_common = [&](const auto& part) {
+      const auto [place, is_new] = m_common.try_emplace(part.cell);
+      if (is_new)
+        place->second = common_cell(m_system, source().breaks(), part.cell);
+      return place->second.has_value();
+    };
+    std::erase_if(tasks, is_common);
+    std::erase_if(m_open, is_common);
   }
 
   // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts that are left.

@@ -132,10 +132,10 @@ Partly_rational_solution partly_rational_solution_in(const Constraint_system_d& 
 
 /*
 What an open box is, after those that meet have become one. Everything around such a group was proved empty, so when it is small and provably holds a root, all or some of
-whose coordinates are rational, it is a cluster; the rest stays undecided.
+whose coordinates are rational, it is a cluster; the rest stays undecided. `is_zero_of_factor`: of a common factor of the equalities; there it has no multiplicity.
 */
 template <class NT, class Coordinate>
-Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_box<Coordinate>& box)
+Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_box<Coordinate>& box, bool is_zero_of_factor = false)
 {
   Solution_kind kind = Solution_kind::UNDECIDED;
   Undecided_reason reason = box.reason;
@@ -146,7 +146,7 @@ Solution_d<Coordinate> classified(const Constraint_system_d& system, const Open_
     if (const auto point = rational_solution_in(system, box); !point.empty()) {
       kind = Solution_kind::CLUSTER;
       reason = Undecided_reason::NONE;
-      multiplicity = local_structure(system, point).multiplicity;
+      multiplicity = is_zero_of_factor ? 0 : local_structure(system, point).multiplicity;
     } else if (partly_rational_solution_in(system, box).is_proved()) {
       kind = Solution_kind::CLUSTER;
       reason = Undecided_reason::NONE;

@@ -20,6 +20,38 @@ namespace internal {
 // Values of some of the unknowns.
 using Partial_point = std::vector<std::optional<Exact_rational>>;
 
+// The piece of a term that holds a point; of several the last.
+inline const std::vector<Exact_rational>& piece_at(const Spline_term& term, const std::vector<Exact_rational>& point)
+{
+  std::size_t cell = 0;
+  for (std::size_t j = 0; j < term.variables.size(); ++j) {
+    const auto& breaks = term.breaks[j];
+    std::size_t own = 0;
+    while (own + 1 < term.cells(j) && breaks[own + 1] <= point[term.variables[j]])
+      ++own;
+    cell = cell * term.cells(j) + own;
+  }
+  return term.pieces[cell];
+}
+
+// Adds a piece of a term, with some unknowns replaced by polynomials: `replacement(v)`.
+template <class Replacement>
+void add_piece(Power_polynomial& sum, const Spline_term& term, const std::vector<Exact_rational>& piece, const Replacement& replacement)
+{
+  std::vector<int> k(term.degrees.size(), 0);
+  for (const Exact_rational& coefficient : piece) {
+    if (coefficient != Exact_rational(0)) {
+      Power_polynomial product(coefficient);
+      for (std::size_t j = 0; j < k.size(); ++j)
+        if (k[j] > 0)
+          product *= pow(replacement(term.variables[j]), k[j]);
+      sum += product;
+    }
+    for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
+      k[j] = 0;
+  }
+}
+
 // A spline without breaks as a polynomial in the unknowns that have no value, numbered in their order; nothing when it has breaks.
 inline std::optional<Power_polynomial> restricted(const Spline_function& function, const Partial_point& values)
 {
@@ -30,21 +62,17 @@ inline std::optional<Power_polynomial> restricted(const Spline_function& functio
   for (const Spline_term& term : function.terms()) {
     if (term.pieces.size() != 1)
       return std::nullopt;
-    std::vector<int> k(term.degrees.size(), 0);
-    for (const Exact_rational& coefficient : term.pieces[0]) {
-      if (coefficient != Exact_rational(0)) {
-        Power_polynomial product(coefficient);
-        for (std::size_t j = 0; j < k.size(); ++j)
-          if (k[j] > 0) {
-            const int v = term.variables[j];
-            product *= pow(values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]), k[j]);
-          }
-        result += product;
-      }
-      for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
-        k[j] = 0;
-    }
+    add_piece(result, term, term.pieces[0], [&](int v) { return values[v] ? Power_polynomial(*values[v]) : Power_polynomial::variable(rank[v]); });
   }
+  return result;
+}
+
+// The polynomial that a spline is around a point off its breaks.
+inline Power_polynomial polynomial_at(const Spline_function& function, const std::vector<Exact_rational>& point)
+{
+  Power_polynomial result;
+  for (const Spline_term& term : function.terms())
+    add_piece(result, term, piece_at(term, point), [](int v) { return Power_polynomial::variable(v); });
   return result;
 }
 

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALL_SOLUTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALL_SOLUTIONS_H
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_walk.h>
+#include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/common_components.h>
+#include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The sign of one polynomial on boxes with dyadic corners.
+class Sign_on_boxes
+{
+  Constraint_system_d m_system;
+  System_layout m_layout;
+  Exact_source m_source;
+  Node_view m_view;
+  std::vector<double> m_coefficients, m_errors;
+  std::vector<long> m_scale;
+
+public:
+  Sign_on_boxes(const Power_polynomial& polynomial, const Exact_box& domain)
+    : m_system(system_of(polynomial, domain)), m_layout(m_system), m_source(m_system, m_layout), m_view(m_layout), m_coefficients(m_layout.size), m_errors(m_layout.errors)
+  {}
+
+  template <class Coordinate>
+  bool is_certain(const std::vector<std::pair<Coordinate, Coordinate>>& box)
+  {
+    std::vector<Exact_rational> lower, upper;
+    for (const auto& [begin, end] : box) {
+      const auto range = dyadic_hull<Exact_rational>(Exact_rational(begin), Exact_rational(end), 1000);   // of some width
+      lower.push_back(range.first);
+      upper.push_back(range.second);
+    }
+    m_source.bernstein_coefficients(Cell(box.size(), 0), std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper),
+                                    m_coefficients.data(), m_errors.data(), m_scale);
+    m_view.reset(m_coefficients.data(), m_errors.data());
+    return is_certainly_violated(Relation::EQUAL, m_view.lower(0), m_view.upper(0));
+  }
+
+private:
+  static Constraint_system_d system_of(const Power_polynomial& polynomial, const Exact_box& domain)
+  {
+    Constraint_system_d result(domain);
+    result.add(polynomial, Relation::EQUAL);
+    return result;
+  }
+};
+
+template <class Traits, class Concurrency_tag>
+class All_solutions;
+
+// All solutions of a system, in no order.
+template <class Traits, class Concurrency_tag>
+auto all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
+{
+  return All_solutions<Traits, Concurrency_tag>(system, options, control, summary).take();
+}
+
+/*
+The parts of an answer: regular roots; what doubles leave open, through the precision ladder; and, for cells where the equalities f = h g have a common factor h, the zeros of h and the
+solutions of g = 0 off them.
+*/
+template <class Traits, class Concurrency_tag>
+class All_solutions
+{
+  using NT = typename Traits::Number_type;
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+  using Solution = Solution_d<Coordinate>;
+
+  const Constraint_system_d& m_system;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  Summary& m_summary;
+  System_layout m_layout;
+  Subdivision_walk<Traits, Concurrency_tag> m_walk;
+  std::vector<Solution> m_solutions;
+
+public:
+  All_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
+    : m_system(system), m_options(options), m_control(control), m_summary(summary), m_layout(system), m_walk(system, m_layout, options, control)
+  {
+    summary.setup_seconds = control.seconds();
+    m_walk.run();
+    m_walk.look_again([&](const auto& box) { return !is_small(box) || !rational_solution_in(system, box).empty(); });
+    m_walk.add_to(summary);
+    for (const auto& root : m_walk.roots().roots())
+      report_root<NT>(root, m_solutions);
+    report_open_boxes();
+    report_continua();
+  }
+
+  std::vector<Solution> take() { return std::move(m_solutions); }
+
+private:
+  void report_open_boxes()
+  {
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return m_walk.roots().is_covered(box.lower, box.upper); });   // its only root is known
+    if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
+      Precision_ladder ladder(m_system, m_layout, m_walk.source(), m_walk.roots(), m_options, m_control, m_summary);
+      for (const auto& box : m_walk.open_boxes())
+        ladder.report(box, classified<NT>(m_system, box), m_solutions);
+    } else
+      for (const auto& box : m_walk.open_boxes())
+        m_solutions.push_back(classified<NT>(m_system, box));
+  }
+
+  void report_continua()
+  {
+    std::vector<Continuum> continua;
+    std::vector<Exact_box> open;
+    for (const Common_cell& cell : m_walk.common_cells()) {
+      auto found = continua_in(cell, [&](const Constraint_system_d& part) { return solve_part(part); }, open);
+      std::move(found.begin(), found.end(), std::back_inserter(continua));
+      report_solutions_beside(cell);
+    }
+    join(continua, open);
+    for (Continuum& continuum : continua)
+      m_solutions.emplace_back(continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
+    std::vector<Open_box<Coordinate>> boxes;
+    for (const Exact_box& box : open)
+      boxes.push_back(open_box(box));
+    merge_boxes_that_meet(boxes);
+    for (const auto& box : boxes)
+      m_solutions.push_back(classified<NT>(m_system, box, true));
+  }
+
+  // With the limits of this run.
+  std::vector<Solution> solve_part(const Constraint_system_d& part)
+  {
+    Solver_options options = m_options;
+    if (options.node_limit > 0)
+      options.node_limit = (std::max)(options.node_limit - (std::min)(m_summary.nodes, options.node_limit), std::size_t(1));
+    Summary summary;
+    auto result = all_solutions<Traits, Concurrency_tag>(part, options, m_control, summary);
+    m_summary.nodes += summary.nodes;
+    m_summary.restarts += summary.restarts;
+    m_summary.depth = (std::max)(m_summary.depth, summary.depth);
+    m_summary.rebuild_seconds += summary.rebuild_seconds;
+    m_summary.refinement_seconds += summary.refinement_seconds;
+    return result;
+  }
+
+  // The solutions of f = h g with h not zero.
+  void report_solutions_beside(const Common_cell& cell)
+  {
+    Constraint_system_d cofactors(cell.box);
+    for (const Power_polynomial& g : cell.cofactors) {
+      if (g.is_constant() && !g.is_zero())
+        return;
+      cofactors.add(g, Relation::EQUAL);
+    }
+    if (cell.factor.is_zero())
+      return;
+    for (const auto& [function, relation] : cell.inequalities)
+      cofactors.add(function, relation);
+    Sign_on_boxes factor(cell.factor, cell.box);
+    for (Solution& solution : solve_part(cofactors))
+      if (!is_known(solution))
+        report_beside(cofactors, cell, factor, solution);
+  }
+
+  void report_beside(const Constraint_system_d& cofactors, const Common_cell& cell, Sign_on_boxes& factor, Solution& solution)
+  {
+    const auto box = solution.exact_box();
+    const Open_box<Coordinate> open = open_box(box);
+    if (!factor.is_certain(box) || touches_break(cell, box)) {
+      const auto point = rational_solution_in(cofactors, open);
+      const bool is_in_continuum = solution.is_certified() && !point.empty() && CGAL::is_zero(cell.factor(point));
+      if (!is_in_continuum)
+        m_solutions.push_back(classified<NT>(m_system, open, !factor.is_certain(box)));
+      return;
+    }
+    if (solution.is_certified()) {
+      auto region = solution.exact_uniqueness_region();   // of g; shrunk until h has no zero there
+      for (int round = 0; round < 60 && !factor.is_certain(region); ++round)
+        for (std::size_t j = 0; j < region.size(); ++j) {
+          region[j].first = (region[j].first + box[j].first) / Exact_rational(2);
+          region[j].second = (region[j].second + box[j].second) / Exact_rational(2);
+        }
+      solution.set_uniqueness_region(factor.is_certain(region) ? region : box);
+    }
+    m_solutions.push_back(std::move(solution));
+  }
+
+  // A root that was certified before the cell was left.
+  bool is_known(const Solution& solution)
+  {
+    if (!solution.is_certified())
+      return false;
+    Found_root<Coordinate> root;
+    for (const auto& [lower, upper] : solution.box()) {
+      root.enclosure.lower.push_back(lower);
+      root.enclosure.upper.push_back(upper);
+    }
+    for (const auto& [lower, upper] : solution.uniqueness_region()) {
+      root.lower.push_back(lower);
+      root.upper.push_back(upper);
+    }
+    return m_walk.roots().is_known(root);
+  }
+
+  // Beyond an inner face of the cell the equalities are others.
+  static bool touches_break(const Common_cell& cell, const Exact_box& box)
+  {
+    for (std::size_t j = 0; j < box.size(); ++j)
+      if ((cell.is_break[2 * j] && box[j].first <= cell.box[j].first) || (cell.is_break[2 * j + 1] && cell.box[j].second <= box[j].second))
+        return true;
+    return false;
+  }
+
+  Open_box<Coordinate> open_box(const Exact_box& box)
+  {
+    Open_box<Coordinate> result{{}, {}, Undecided_reason::TOLERANCE, {}};
+    for (const auto& [lower, upper] : box) {
+      const auto range = dyadic_hull<Coordinate>(lower, upper, m_options.precision);
+      result.lower.push_back(range.first);
+      result.upper.push_back(range.second);
+    }
+    result.cell = m_walk.source().cell_of(std::span<const Coordinate>(result.lower));
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALL_SOLUTIONS_H

@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_VERIFICATION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_VERIFICATION_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact_enclosures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+namespace verification {
+
+// Row-major.
+struct Matrix
+{
+  std::size_t rows, columns;
+  std::vector<Exact_rational> entries;
+
+  Matrix(std::size_t rows, std::size_t columns) : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0)) {}
+  Exact_rational& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
+  const Exact_rational& operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
+};
+
+// Gauss-Jordan on (left | right): right becomes left^-1 right. False when left is singular.
+inline bool solve_linear(Matrix& left, Matrix& right)
+{
+  for (std::size_t c = 0; c < left.columns; ++c) {
+    std::size_t pivot = c;
+    while (pivot < left.rows && is_zero(left(pivot, c)))
+      ++pivot;
+    if (pivot == left.rows)
+      return false;
+    const Exact_rational factor = Exact_rational(1) / left(pivot, c);
+    for (Matrix* matrix : {&left, &right})
+      for (std::size_t k = 0; k < matrix->columns; ++k) {
+        std::swap((*matrix)(c, k), (*matrix)(pivot, k));
+        (*matrix)(c, k) *= factor;
+      }
+    for (std::size_t i = 0; i < left.rows; ++i)
+      if (const Exact_rational multiple = left(i, c); i != c && !is_zero(multiple))
+        for (Matrix* matrix : {&left, &right})
+          for (std::size_t k = 0; k < matrix->columns; ++k)
+            if (!is_zero((*matrix)(c, k)))
+              (*matrix)(i, k) -= multiple * (*matrix)(c, k);
+  }
+  return true;
+}
+
+// Any matrix near an inverse serves: digits beyond these only cost time.
+constexpr int digits = 128;
+
+// A left inverse of the middle of a Jacobian, rounded; empty when it has none.
+inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
+{
+  const std::size_t m = jacobian.size(), n = jacobian[0].size();
+  Matrix middle(m, n), inverse(n, m);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      middle(i, j) = round_to_dyadic(Exact_rational((jacobian[i][j].lower + jacobian[i][j].upper) / Exact_rational(2)), digits);
+  Matrix square(n, n);
+  if (m == n) {
+    square = middle;
+    for (std::size_t i = 0; i < n; ++i)
+      inverse(i, i) = Exact_rational(1);
+  } else   // least squares
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        inverse(j, i) = middle(i, j);
+        for (std::size_t k = 0; k < n; ++k)
+          square(j, k) += middle(i, j) * middle(i, k);
+      }
+  if (!solve_linear(square, inverse))
+    return Matrix(0, 0);
+  for (Exact_rational& entry : inverse.entries)
+    entry = round_to_dyadic(entry, digits);
+  return inverse;
+}
+
+using Functions = std::vector<const Spline_function*>;
+using Axes = std::vector<std::size_t>;
+
+// The parts of a box between the breaks of the functions, where each of them is one polynomial.
+inline std::vector<Box> parts_between_breaks(const Functions& functions, const Box& box)
+{
+  std::vector<Box> parts{box};
+  for (const Spline_function* function : functions)
+    for (const Spline_term& term : function->terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j)
+        for (const Exact_rational& at : term.breaks[j]) {
+          const std::size_t axis = term.variables[j];
+          for (std::size_t i = parts.size(); i-- > 0;)
+            if (parts[i][axis].lower < at && at < parts[i][axis].upper) {
+              parts.push_back(parts[i]);
+              parts[i][axis].upper = at;
+              parts.back()[axis].lower = at;
+            }
+        }
+  return parts;
+}
+
+// Bounds on the derivatives, functions x unknowns.
+using Jacobian = std::vector<Box>;
+
+inline Jacobian jacobian_on(const Functions& functions, const Axes& axes, const Box& box)
+{
+  Box inside;   // a point of the interior: one piece of each function
+  for (const Exact_rational& x : middle_of(box))
+    inside.push_back({x, x});
+  Jacobian result;
+  for (const Spline_function* function : functions) {
+    const Box all = derivatives(*function, box, inside);
+    Box& row = result.emplace_back();
+    for (std::size_t axis : axes)
+      row.push_back(all[axis]);
+  }
+  return result;
+}
+
+inline Jacobian hull_of(const std::vector<Jacobian>& jacobians)
+{
+  Jacobian hull = jacobians.front();
+  for (const Jacobian& jacobian : jacobians)
+    for (std::size_t k = 0; k < hull.size(); ++k)
+      for (std::size_t j = 0; j < hull[k].size(); ++j)
+        extend(hull[k][j], jacobian[k][j].lower, jacobian[k][j].upper);
+  return hull;
+}
+
+// A bound on the entry (i, j) of |I - C J|.
+inline Exact_rational distance_from_identity(const Matrix& inverse, const Jacobian& jacobian, std::size_t i, std::size_t j)
+{
+  Exact_rational entry(i == j ? 1 : 0), spread(0);
+  for (std::size_t k = 0; k < jacobian.size(); ++k) {
+    const Range& range = jacobian[k][j];
+    entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
+    spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
+  }
+  return Exact_rational(absolute(entry) + spread);
+}
+
+// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the unknowns `axes`; the ranges of the others are single
+// numbers. I - C J is bounded between the breaks first, since the rows of C J cancel there. Gives the ranges of these unknowns, or nothing when the middle of J(B) has no inverse C.
+inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Box& box)
+{
+  const Point centre = middle_of(box), radius = radius_of(box);
+  Box at_centre;
+  for (const Exact_rational& x : centre)
+    at_centre.push_back({x, x});
+  Point value;   // any piece at the centre: the function is continuous
+  for (const Spline_function* function : functions)
+    value.push_back(values(*function, at_centre).lower);
+  std::vector<Jacobian> jacobians;
+  for (const Box& part : parts_between_breaks(functions, box))
+    jacobians.push_back(jacobian_on(functions, axes, part));
+  const Matrix inverse = rounded_left_inverse(hull_of(jacobians));
+  Box image;
+  for (std::size_t i = 0; i < inverse.rows; ++i) {
+    Exact_rational middle = centre[axes[i]], deviation(0);
+    for (std::size_t k = 0; k < value.size(); ++k)
+      middle -= inverse(i, k) * value[k];
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+      Exact_rational largest(0);
+      for (const Jacobian& jacobian : jacobians)
+        largest = (std::max)(largest, distance_from_identity(inverse, jacobian, i, j));
+      deviation += largest * radius[axes[j]];
+    }
+    image.push_back({Exact_rational(middle - deviation), Exact_rational(middle + deviation)});
+  }
+  return image;
+}
+
+// The same for all equalities and unknowns of a system.
+inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
+{
+  Functions functions;
+  for (const Spline_function& function : system.equalities())
+    functions.push_back(&function);
+  Axes axes(box.size());
+  std::iota(axes.begin(), axes.end(), std::size_t(0));
+  return krawczyk_image(functions, axes, box);
+}
+
+// A slightly larger range of simpler numbers.
+inline Range simplified(const Range& range)
+{
+  const Exact_rational centre = (range.lower + range.upper) / Exact_rational(2), radius = (range.upper - range.lower) / Exact_rational(2);
+  const Exact_rational room = radius / Exact_rational(64);
+  const Exact_rational middle = simplest_rational_between(Exact_rational(centre - room), Exact_rational(centre + room));
+  const Exact_rational reach = simplest_rational_between(Exact_rational(radius + room), Exact_rational(radius + room + room));
+  return {Exact_rational(middle - reach), Exact_rational(middle + reach)};
+}
+
+inline Box intersection(const Box& a, const Box& b)
+{
+  Box result;
+  for (std::size_t j = 0; j < a.size(); ++j)
+    result.push_back({(std::max)(a[j].lower, b[j].lower), (std::min)(a[j].upper, b[j].upper)});
+  return result;
+}
+
+inline bool is_empty(const Box& box)
+{
+  return std::any_of(box.begin(), box.end(), [](const Range& range) { return range.upper < range.lower; });
+}
+
+// Grows the axes on which the image does not lie in the interior of the box: they were too thin beside the others.
+inline Box inflated(const Box& box, const Box& image)
+{
+  const Point radius = radius_of(box);
+  const Exact_rational largest = *std::max_element(radius.begin(), radius.end());
+  const Exact_rational least = is_zero(largest) ? Exact_rational(0x1p-100) : Exact_rational(largest / Exact_rational(1 << 16));
+  Box result = box;
+  for (std::size_t j = 0; j < box.size(); ++j)
+    if (image[j].lower <= box[j].lower || box[j].upper <= image[j].upper) {
+      extend(result[j], image[j].lower, image[j].upper);
+      const Exact_rational room = least + (result[j].upper - result[j].lower) / Exact_rational(8);
+      result[j] = simplified(Range{Exact_rational(result[j].lower - room), Exact_rational(result[j].upper + room)});
+    }
+  return result;
+}
+
+// All points of the box lie in the domain and satisfy the inequalities; or `are_limits_admitted`, of points that do.
+inline bool is_admissible(const Constraint_system_d& system, const Box& box, bool are_limits_admitted = false)
+{
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    const auto& domain = system.domain(static_cast<int>(j));
+    if (box[j].lower < domain.first || domain.second < box[j].upper)
+      return false;
+  }
+  for (const auto& inequality : system.inequalities()) {
+    const Range range = values(inequality.function, box);
+    const auto is_admitted = [&](const Exact_rational& value) {
+      return is_satisfied(inequality.relation, CGAL::sign(value)) || (are_limits_admitted && is_zero(value));
+    };
+    if (!is_admitted(range.lower) || !is_admitted(range.upper))
+      return false;
+  }
+  return true;
+}
+
+// The simplest rational point of a box, as a box.
+inline Box simplest_point(const Box& box)
+{
+  Box result;
+  for (const Range& range : box) {
+    const Exact_rational x = simplest_rational_between(range.lower, range.upper);
+    result.push_back({x, x});
+  }
+  return result;
+}
+
+inline bool satisfies_equalities(const Constraint_system_d& system, const Box& point)
+{
+  return std::all_of(system.equalities().begin(), system.equalities().end(), [&](const Spline_function& function) {
+    const Range range = values(function, point);
+    return is_zero(range.lower) && is_zero(range.upper);
+  });
+}
+
+inline bool is_inside(const Box& inner, const Box& outer)
+{
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].lower < outer[j].lower || outer[j].upper < inner[j].upper)
+      return false;
+  return true;
+}
+
+inline bool is_in_interior(const Box& inner, const Box& outer)
+{
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].lower <= outer[j].lower || outer[j].upper <= inner[j].upper)
+      return false;
+  return true;
+}
+
+// A number that the coordinate of a solution may well be exactly: a rational much simpler than the range of a coordinate has to hold, or an end of the
+// domain, or a break. Returns whether there is one.
+inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis, const Range& range, Exact_rational& guess)
+{
+  guess = simplest_rational_between(range.lower, range.upper);
+  const Exact_rational denominator = compose(parts_of(guess).denominator, Exact_integer(1));
+  if ((range.upper - range.lower) * denominator * denominator * Exact_rational(1 << 10) < Exact_rational(1))
+    return true;
+  const auto is_in_range = [&](const Exact_rational& x) {
+    const bool result = range.lower <= x && x <= range.upper;
+    if (result)
+      guess = x;
+    return result;
+  };
+  const auto& domain = system.domain(static_cast<int>(axis));
+  if (is_in_range(domain.first) || is_in_range(domain.second))
+    return true;
+  for (const Spline_function& function : system.equalities())
+    for (const Spline_term& term : function.terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j)
+        if (static_cast<std::size_t>(term.variables[j]) == axis &&
+            std::any_of(term.breaks[j].begin(), term.breaks[j].end(), is_in_range))
+          return true;
+  return false;
+}
+
+/*
+Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed; some equalities are zero wherever the unknowns
+have these values, and the others have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
+shrinks, is accepted.
+*/
+template <class Predicate>
+bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box, int widening, const Predicate& is_accepted)
+{
+  Box enclosure = box;
+  Axes rest;
+  for (std::size_t j = 0; j < box.size(); ++j) {
+    Exact_rational guess;
+    if (guess_coordinate(system, j, box[j], guess))
+      enclosure[j] = {guess, guess};
+    else {
+      const Exact_rational room = (box[j].upper - box[j].lower) * Exact_rational(widening);
+      enclosure[j] = {Exact_rational(box[j].lower - room), Exact_rational(box[j].upper + room)};
+      rest.push_back(j);
+    }
+  }
+  Functions functions;
+  for (const Spline_function& function : system.equalities()) {
+    const Range range = values(function, enclosure);
+    if (!is_continuous(function, enclosure))
+      return false;
+    if (!is_zero(range.lower) || !is_zero(range.upper))
+      functions.push_back(&function);
+  }
+  if (functions.size() != rest.size() || rest.size() == box.size())
+    return false;
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds && !rest.empty(); ++round) {
+    const Box image = krawczyk_image(functions, rest, enclosure);
+    if (image.empty())
+      return false;
+    Box next = enclosure;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      next[rest[i]] = image[i];
+    if (round == 0)
+      for (std::size_t j : rest)
+        if (next[j].lower <= enclosure[j].lower || enclosure[j].upper <= next[j].upper)
+          return false;
+    enclosure = intersection(next, enclosure);
+    if (is_accepted(enclosure))
+      return true;
+  }
+  return rest.empty() && is_accepted(enclosure);
+}
+
+// The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
+inline bool holds_admissible(const Constraint_system_d& system, Box image, const Box& box)
+{
+  // A solution is in the image of every box that holds it: shrink until its place is decided.
+  constexpr int rounds = 6;
+  const auto is_decided = [&](const Box& enclosure) { return is_inside(enclosure, box) && is_admissible(system, enclosure); };
+  Box enclosure = image;
+  for (int round = 0; round < rounds && !image.empty(); ++round) {
+    std::transform(image.begin(), image.end(), image.begin(), [](const Range& range) { return simplified(range); });
+    enclosure = intersection(image, enclosure);
+    if (is_empty(enclosure))
+      return false;
+    const bool is_square = system.equalities().size() == box.size();
+    if (is_square && is_decided(enclosure))
+      return true;
+    if (const Box point = simplest_point(enclosure); satisfies_equalities(system, point))
+      return is_decided(point);
+    if (is_square && has_partly_exact_solution(system, enclosure, 0, is_decided))
+      return true;
+    image = krawczyk_image(system, enclosure);
+  }
+  return false;
+}
+
+inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
+{
+  if (system.equalities().size() < box.size())
+    return false;
+  constexpr int attempts = 8;
+  Box hull = box;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    for (const Spline_function& function : system.equalities())
+      if (!is_continuous(function, hull))
+        return false;
+    const Box image = krawczyk_image(system, hull);
+    if (image.empty())
+      return false;
+    if (is_in_interior(image, hull))
+      return holds_admissible(system, image, box);
+    hull = inflated(hull, image);
+  }
+  return false;
+}
+
+inline bool has_solution(const Constraint_system_d& system, const Box& box)
+{
+  Box domain;
+  for (std::size_t j = 0; j < box.size(); ++j)
+    domain.push_back({system.domain(static_cast<int>(j)).first, system.domain(static_cast<int>(j)).second});
+  const Box inside = intersection(box, domain);
+  if (is_empty(inside))
+    return false;
+  const Box point = simplest_point(inside);
+  if (satisfies_equalities(system, point))
+    return is_admissible(system, point);
+  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); });
+}
+
+} // namespace verification
+} // namespace internal
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_VERIFICATION_H
