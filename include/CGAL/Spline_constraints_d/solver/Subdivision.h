@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_H
 
 #include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Double_root.h>
 #include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Preconditioned_system.h>
@@ -73,6 +74,7 @@ private:
 
   enum class Verdict { DONE, CONTRACTED, REBUILT, SPLIT };
 
+  const Constraint_system_d& m_system;
   const System_layout& m_layout;
   const Solver_options& m_options;
   Run_control& m_control;
@@ -89,6 +91,8 @@ private:
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open;
   std::vector<Task> m_pending;
+  std::vector<Double_root> m_double_roots;
+  const std::vector<Double_root>* m_known_double_roots = nullptr;
   std::vector<Relation> m_relations;
   std::vector<double> m_rating, m_widths, m_domain_widths;
   Cell m_cell;
@@ -103,7 +107,7 @@ private:
 public:
   Subdivision(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Solver_options& options,
               Run_control& control, Root_collection<NT>& roots, Summary& summary)
-    : m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
       m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
       m_tolerance(options.tolerance)
   {
@@ -151,6 +155,10 @@ public:
   Root_certification<NT>& certification() { return m_certification; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
 
+  // Roots of multiplicity 2; and others, found elsewhere.
+  std::vector<Double_root>& double_roots() { return m_double_roots; }
+  void set_known_double_roots(const std::vector<Double_root>* roots) { m_known_double_roots = roots; }
+
 private:
   Node& level(std::size_t index)
   {
@@ -165,7 +173,8 @@ private:
   void subdivide(std::size_t index, int depth, double share)
   {
     Node& node = level(index);
-    for (bool is_fresh = false;;) {
+    int passes = 0;
+    for (bool is_fresh = false;; ++passes) {
       ++m_summary.nodes;
       m_summary.depth = (std::max)(m_summary.depth, depth);
       if (m_summary.nodes > m_last_node || depth > m_deepest || must_stop()) {
@@ -173,7 +182,7 @@ private:
         m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, share});
         return;
       }
-      const Verdict verdict = examine(node, depth, is_fresh);
+      const Verdict verdict = holds_double_root(node, passes) ? Verdict::DONE : examine(node, depth, is_fresh);
       is_fresh = verdict == Verdict::REBUILT;
       switch (verdict) {
       case Verdict::DONE:
@@ -197,6 +206,40 @@ private:
         subdivide(index + 1, ++depth, share);
       }
     }
+  }
+
+  // The node lies in the box of a double root. It may hold a new one when it has shrunk again and again, but nothing else came of it: then boxes shrink by a constant factor only.
+  bool holds_double_root(const Node& node, int passes)
+  {
+    const auto covers = [&](const Double_root& root) { return root.covers(node.lower, node.upper); };
+    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), covers) ||
+        (m_known_double_roots != nullptr && std::any_of(m_known_double_roots->begin(), m_known_double_roots->end(), covers)))
+      return true;
+    if (passes != 6 && passes != 12 && passes != 24)
+      return false;
+    std::vector<double> lower, upper;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      lower.push_back(to_double_interval(Exact_rational(node.lower[j])).first);
+      upper.push_back(to_double_interval(Exact_rational(node.upper[j])).second);
+    }
+    auto root = double_root_in(m_system, lower, upper, m_domain_widths);
+    if (!root || !clip_to_cell(*root))
+      return false;
+    m_double_roots.push_back(std::move(*root));
+    return covers(m_double_roots.back());
+  }
+
+  // Beyond the cell the equalities are others.
+  bool clip_to_cell(Double_root& root)
+  {
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (const auto& breaks = m_analysis.source().breaks(j); breaks.size() > 2) {
+        root.lower[j] = (std::max)(root.lower[j], to_double_interval(breaks[m_cell[j]]).second);
+        root.upper[j] = (std::min)(root.upper[j], to_double_interval(breaks[m_cell[j] + 1]).first);
+        if (root.point[j] <= breaks[m_cell[j]] || breaks[m_cell[j] + 1] <= root.point[j])
+          return false;
+      }
+    return true;
   }
 
   // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.

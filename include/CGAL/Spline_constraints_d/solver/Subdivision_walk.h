@@ -51,6 +51,7 @@ class Subdivision_walk
     std::vector<Found_root<Coordinate>> roots;
     std::vector<Open_box<Coordinate>> open;
     std::vector<Task> pending;
+    std::vector<Double_root> double_roots;
     std::size_t looks = 0, gains = 0;
   };
 
@@ -63,14 +64,17 @@ class Subdivision_walk
     Walk walk;
 
     Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control,
-           const std::vector<Found_root<Coordinate>>* known)
+           const std::vector<Found_root<Coordinate>>* known, const std::vector<Double_root>* known_double_roots)
       : source(system, layout), roots(system, layout, source, options.precision, known), walk(system, layout, source, options, control, roots, summary)
-    {}
+    {
+      walk.set_known_double_roots(known_double_roots);
+    }
 
     Outcome run(const Task& task, const Task_limits& limits)
     {
       walk.run(task, limits);
-      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.pending(), {}), walk.looks(), walk.gains()};
+      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.pending(), {}), std::exchange(walk.double_roots(), {}),
+              walk.looks(), walk.gains()};
     }
   };
 
@@ -80,6 +84,7 @@ class Subdivision_walk
   const System_layout& m_layout;
   const Solver_options& m_options;
   Run_control& m_control;
+  std::vector<Double_root> m_double_roots;
   Worker m_worker;   // of this thread
   Root_collection<NT> m_roots;
   std::vector<Open_box<Coordinate>> m_open;
@@ -93,7 +98,7 @@ class Subdivision_walk
 
 public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr),
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr, &m_double_roots),
       m_roots(system, layout, m_worker.source, options.precision)
   {
     m_worker.roots.set_others(&m_roots.roots());
@@ -102,6 +107,9 @@ public:
   Exact_source& source() { return m_worker.source; }
   Root_collection<NT>& roots() { return m_roots; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  // Solutions of multiplicity 2; one may be there several times, with different boxes.
+  const std::vector<Double_root>& double_roots() const { return m_double_roots; }
 
   // Cells that the walk has left since the equalities have a common factor there; solutions that were certified there stay among the roots.
   std::vector<Common_cell> common_cells() const
@@ -150,7 +158,7 @@ public:
       return;
     Solver_options options = m_options;
     options.tolerance /= 4096;
-    Worker worker(m_system, m_layout, options, m_control, &m_roots.roots());
+    Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_double_roots);
     std::vector<Open_box<Coordinate>> kept;
     for (Open_box<Coordinate>& box : m_open) {
       if (box.reason == Undecided_reason::TOLERANCE && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
@@ -158,6 +166,7 @@ public:
         Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
         const bool are_counted = collect_roots(outcome.roots, box.cell, kept);
+        std::move(outcome.double_roots.begin(), outcome.double_roots.end(), std::back_inserter(m_double_roots));
         if (is_decided && are_counted)
           continue;
       }
@@ -281,7 +290,7 @@ private:
           [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
           auto& worker = m_workers.local();
           if (worker == nullptr)
-            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots());
+            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_double_roots);
           run_task(i, *worker);
           hand_over();
         });
@@ -303,6 +312,7 @@ private:
     std::vector<Task> pending;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       collect_roots(outcomes[i].roots, tasks[i].cell, m_open);
+      std::move(outcomes[i].double_roots.begin(), outcomes[i].double_roots.end(), std::back_inserter(m_double_roots));
       m_looks += outcomes[i].looks;
       m_gains += outcomes[i].gains;
       std::move(outcomes[i].open.begin(), outcomes[i].open.end(), std::back_inserter(m_open));

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <concepts>
+#include <iterator>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -98,6 +100,7 @@ public:
     m_walk.add_to(summary);
     for (const auto& root : m_walk.roots().roots())
       report_root<NT>(root, m_solutions);
+    report_double_roots();
     report_open_boxes();
     report_continua();
   }
@@ -105,9 +108,30 @@ public:
   std::vector<Solution> take() { return std::move(m_solutions); }
 
 private:
+  void report_double_roots()
+  {
+    std::set<std::vector<Exact_rational>> points;
+    for (const Double_root& root : m_walk.double_roots())
+      if (points.insert(root.point).second && is_in_domain(root.point) && satisfies(m_system, root.point)) {
+        const Open_box<Coordinate> box = open_box(hull(root.point, root.point));
+        m_solutions.emplace_back(Solution_kind::CLUSTER, make_box(box.lower, box.upper), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, 2);
+      }
+  }
+
+  bool is_in_domain(const Exact_point& point) const
+  {
+    for (int j = 0; j < m_system.dimension(); ++j)
+      if (point[j] < m_system.domain(j).first || m_system.domain(j).second < point[j])
+        return false;
+    return true;
+  }
+
   void report_open_boxes()
   {
-    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return m_walk.roots().is_covered(box.lower, box.upper); });   // its only root is known
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) {   // whose only root is known
+      return m_walk.roots().is_covered(box.lower, box.upper) ||
+             std::any_of(m_walk.double_roots().begin(), m_walk.double_roots().end(), [&](const Double_root& root) { return root.covers(box.lower, box.upper); });
+    });
     if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
       Precision_ladder ladder(m_system, m_layout, m_walk.source(), m_walk.roots(), m_options, m_control, m_summary);
       for (const auto& box : m_walk.open_boxes())
