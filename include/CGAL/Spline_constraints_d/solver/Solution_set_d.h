@@ -110,9 +110,9 @@ public:
       m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
   }
 
-  //! a continuum of the given dimension that some boxes cover; or the segment between two points.
-  Solution_d(int dimension, std::vector<Exact_box> cover, std::vector<std::vector<Exact_rational>> ends)
-    : m_kind(Solution_kind::CONTINUUM), m_number_type("exact"), m_dimension(dimension), m_cover(std::move(cover)), m_ends(std::move(ends))
+  //! a continuum of the given dimension that some boxes cover; or the segment between two points; or what looks like one, `UNDECIDED`.
+  Solution_d(Solution_kind kind, int dimension, std::vector<Exact_box> cover, std::vector<std::vector<Exact_rational>> ends)
+    : m_kind(kind), m_reason(kind == Solution_kind::UNDECIDED ? Undecided_reason::CONTINUUM : Undecided_reason::NONE), m_number_type("exact"), m_dimension(dimension), m_cover(std::move(cover)), m_ends(std::move(ends))
   {
     m_exact_box = m_cover.front();
     for (const Exact_box& part : m_cover)
@@ -157,11 +157,11 @@ public:
   //! the same without rounding.
   Exact_box exact_uniqueness_region() const { return m_exact_region.empty() ? Exact_box(m_region.begin(), m_region.end()) : m_exact_region; }
 
-  //! the dimension of the set of solutions that a `CONTINUUM` is; 0 for other kinds.
+  //! the dimension of the set of solutions that a `CONTINUUM` is. With `UNDECIDED` and a `cover()`: they have at most this one, but for what lies in tiny boxes. 0 for other answers.
   int dimension() const { return m_dimension; }
 
-  //! boxes that hold all solutions of a `CONTINUUM`; empty for other kinds. They touch each other; one or several connected components run through them. Each holds solutions of the dimension
-  //! of the continuum, except for tiny ones where it has a singular point or leaves the set that the inequalities describe.
+  //! boxes that hold all solutions of a `CONTINUUM`, or of what looks like one but is `UNDECIDED`; empty for other answers. They touch each other; one or several connected components run
+  //! through them. Each box of a `CONTINUUM` holds solutions of its dimension, except for tiny ones where it has a singular point or leaves the set that the inequalities describe.
   const std::vector<Exact_box>& cover() const { return m_cover; }
 
   //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the closure of what the inequalities allow. Empty otherwise.

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Root_certification.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_curve_test.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 
@@ -87,9 +88,10 @@ private:
   Node_analysis<NT> m_analysis;
   Preconditioned_system<NT> m_preconditioned;
   Root_certification<NT> m_certification;
+  Solution_curve_test<NT> m_curve_test;
   Local_box m_box;
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
-  std::vector<Open_box<Coordinate>> m_open;
+  std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
   std::vector<Task> m_pending;
   std::vector<Double_root> m_double_roots;
   const std::vector<Double_root>* m_known_double_roots = nullptr;
@@ -97,7 +99,7 @@ private:
   std::vector<double> m_rating, m_widths, m_domain_widths;
   Cell m_cell;
   std::size_t m_looks = 0, m_gains = 0, m_most_looks = 0;   // at C f
-  std::size_t m_most_attempts = 0;
+  std::size_t m_most_attempts = 0, m_curve_attempts = 0;
   std::size_t m_last_node = 0, m_open_before = 0;
   int m_deepest = 0;
   static constexpr double m_coarsening = 32;
@@ -109,6 +111,7 @@ public:
               Run_control& control, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
       m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
+      m_curve_test(layout, source, summary, Traits::tracks_rounding),
       m_tolerance(options.tolerance)
   {
     for (const auto& inequality : system.inequalities())
@@ -128,7 +131,7 @@ public:
     m_tolerance = m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
     m_most_looks = limits.looks;
     m_most_attempts = limits.attempts;
-    m_looks = m_gains = 0;
+    m_looks = m_gains = m_curve_attempts = 0;
     Node& root = level(0);
     root.lower = task.lower;
     root.upper = task.upper;
@@ -154,6 +157,9 @@ public:
 
   Root_certification<NT>& certification() { return m_certification; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  // Boxes that look like pieces of a curve of solutions; their solutions have at most dimension one.
+  std::vector<Open_box<Coordinate>>& curve_boxes() { return m_curve_boxes; }
 
   // Roots of multiplicity 2; and others, found elsewhere.
   std::vector<Double_root>& double_roots() { return m_double_roots; }
@@ -192,6 +198,11 @@ private:
       case Verdict::REBUILT:
         break;
       case Verdict::SPLIT:
+        if (is_piece_of_curve(node, depth)) {
+          m_curve_boxes.push_back({node.lower, node.upper, Undecided_reason::CONTINUUM, m_cell});
+          m_done += share;
+          return;
+        }
         const int axis = choose_axis(node);
         if (axis < 0) {
           if (m_open.size() >= m_most_attempts || !m_certification.certify_around(m_cell, node))
@@ -227,6 +238,16 @@ private:
       return false;
     m_double_roots.push_back(std::move(*root));
     return covers(m_double_roots.back());
+  }
+
+  // With two unknowns a common factor of the equalities would tell. Asked now and then, and not many times more often than it pays.
+  bool is_piece_of_curve(const Node& node, int depth)
+  {
+    const int n = m_layout.dimension;
+    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_attempts >= 32 + 16 * m_curve_boxes.size())
+      return false;
+    ++m_curve_attempts;
+    return m_curve_test(m_cell, node, m_domain_widths);
   }
 
   // Beyond the cell the equalities are others.

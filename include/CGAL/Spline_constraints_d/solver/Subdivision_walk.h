@@ -49,7 +49,7 @@ class Subdivision_walk
   struct Outcome
   {
     std::vector<Found_root<Coordinate>> roots;
-    std::vector<Open_box<Coordinate>> open;
+    std::vector<Open_box<Coordinate>> open, curve_boxes;
     std::vector<Task> pending;
     std::vector<Double_root> double_roots;
     std::size_t looks = 0, gains = 0;
@@ -73,8 +73,8 @@ class Subdivision_walk
     Outcome run(const Task& task, const Task_limits& limits)
     {
       walk.run(task, limits);
-      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.pending(), {}), std::exchange(walk.double_roots(), {}),
-              walk.looks(), walk.gains()};
+      return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.curve_boxes(), {}), std::exchange(walk.pending(), {}),
+              std::exchange(walk.double_roots(), {}), walk.looks(), walk.gains()};
     }
   };
 
@@ -87,7 +87,7 @@ class Subdivision_walk
   std::vector<Double_root> m_double_roots;
   Worker m_worker;   // of this thread
   Root_collection<NT> m_roots;
-  std::vector<Open_box<Coordinate>> m_open;
+  std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
   std::map<Cell, std::optional<Common_cell>> m_common;   // of the cells that were looked at
   static constexpr std::size_t m_few_looks = 32;   // at C f, formed exactly, before they have to pay
   static constexpr std::size_t m_few_open = 64;    // boxes; more are the mark of a continuum
@@ -107,6 +107,9 @@ public:
   Exact_source& source() { return m_worker.source; }
   Root_collection<NT>& roots() { return m_roots; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
+
+  // Boxes that look like pieces of a curve of solutions.
+  const std::vector<Open_box<Coordinate>>& curve_boxes() const { return m_curve_boxes; }
 
   // Solutions of multiplicity 2; one may be there several times, with different boxes.
   const std::vector<Double_root>& double_roots() const { return m_double_roots; }
@@ -167,6 +170,7 @@ public:
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
         const bool are_counted = collect_roots(outcome.roots, box.cell, kept);
         std::move(outcome.double_roots.begin(), outcome.double_roots.end(), std::back_inserter(m_double_roots));
+        std::move(outcome.curve_boxes.begin(), outcome.curve_boxes.end(), std::back_inserter(m_curve_boxes));
         if (is_decided && are_counted)
           continue;
       }
@@ -247,6 +251,7 @@ private:
     };
     std::erase_if(tasks, is_common);
     std::erase_if(m_open, is_common);
+    std::erase_if(m_curve_boxes, is_common);
   }
 
   // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts that are left.
@@ -316,6 +321,7 @@ private:
       m_looks += outcomes[i].looks;
       m_gains += outcomes[i].gains;
       std::move(outcomes[i].open.begin(), outcomes[i].open.end(), std::back_inserter(m_open));
+      std::move(outcomes[i].curve_boxes.begin(), outcomes[i].curve_boxes.end(), std::back_inserter(m_curve_boxes));
       std::move(outcomes[i].pending.begin(), outcomes[i].pending.end(), std::back_inserter(pending));
     }
     return pending;

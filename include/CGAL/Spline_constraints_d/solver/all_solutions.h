@@ -101,6 +101,7 @@ public:
     for (const auto& root : m_walk.roots().roots())
       report_root<NT>(root, m_solutions);
     report_double_roots();
+    report_curves();
     report_open_boxes();
     report_continua();
   }
@@ -124,6 +125,31 @@ private:
       if (point[j] < m_system.domain(j).first || m_system.domain(j).second < point[j])
         return false;
     return true;
+  }
+
+  // What looks like curves of solutions, with the open boxes that touch it.
+  void report_curves()
+  {
+    if (m_walk.curve_boxes().empty())
+      return;
+    std::vector<Continuum> curves;
+    std::vector<Exact_box> open;
+    for (const auto& box : m_walk.curve_boxes())
+      curves.push_back({1, {exact_box(box)}, {}});
+    for (const auto& box : m_walk.open_boxes())
+      open.push_back(exact_box(box));
+    join(curves, open);
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return std::find(open.begin(), open.end(), exact_box(box)) == open.end(); });
+    for (Continuum& curve : curves)
+      m_solutions.emplace_back(Solution_kind::UNDECIDED, 1, std::move(curve.cover), std::move(curve.ends));
+  }
+
+  static Exact_box exact_box(const Open_box<Coordinate>& box)
+  {
+    Exact_box result;
+    for (std::size_t j = 0; j < box.lower.size(); ++j)
+      result.emplace_back(Exact_rational(box.lower[j]), Exact_rational(box.upper[j]));
+    return result;
   }
 
   void report_open_boxes()
@@ -152,7 +178,7 @@ private:
     }
     join(continua, open);
     for (Continuum& continuum : continua)
-      m_solutions.emplace_back(continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
+      m_solutions.emplace_back(Solution_kind::CONTINUUM, continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
     std::vector<Open_box<Coordinate>> boxes;
     for (const Exact_box& box : open)
       boxes.push_back(open_box(box));

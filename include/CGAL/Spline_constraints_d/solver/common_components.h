@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -263,46 +266,75 @@ inline bool join_segments(Continuum& a, const Continuum& b)
   return false;
 }
 
-// Covers that touch become one.
-inline bool join_covers(Continuum& a, const Continuum& b)
+// The connected components of "touches", by a sweep along the first axis.
+inline std::vector<std::vector<std::size_t>> groups_that_touch(const std::vector<std::pair<int, Exact_box>>& boxes)
 {
-  if (a.dimension != b.dimension || !a.ends.empty() || !b.ends.empty() ||
-      std::none_of(a.cover.begin(), a.cover.end(), [&](const Exact_box& box) {
-        return std::any_of(b.cover.begin(), b.cover.end(), [&](const Exact_box& other) { return boxes_touch(box, other); });
-      }))
-    return false;
-  a.cover.insert(a.cover.end(), b.cover.begin(), b.cover.end());
-  return true;
+  std::vector<std::size_t> order(boxes.size()), parent(boxes.size());
+  std::vector<std::pair<double, double>> range;   // on the first axis, rounded outwards
+  for (const auto& [dimension, box] : boxes)
+    range.emplace_back(to_double_interval(box[0].first).first, to_double_interval(box[0].second).second);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return range[a] < range[b]; });
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i)
+      i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::vector<std::size_t> active;   // boxes that the sweep has not left behind
+  for (std::size_t i : order) {
+    std::erase_if(active, [&](std::size_t k) { return range[k].second < range[i].first; });
+    for (std::size_t k : active)
+      if (root(i) != root(k) && boxes_touch(boxes[i].second, boxes[k].second))
+        parent[root(i)] = root(k);
+    active.push_back(i);
+  }
+  std::map<std::size_t, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    groups[root(i)].push_back(i);
+  std::vector<std::vector<std::size_t>> result;
+  for (auto& [representative, group] : groups)
+    result.push_back(std::move(group));
+  return result;
 }
 
-// Joins what is known to belong together, across cells too; then, small boxes that touch a cover become part of it.
+/*
+Joins what is known to belong together, across cells too: segments of one line, and covers whose boxes touch. `open`, small boxes in which nothing is proved, become part of the covers that
+they touch, directly or through each other; others stay.
+*/
 inline void join(std::vector<Continuum>& continua, std::vector<Exact_box>& open)
 {
-  std::vector<Continuum> result;
+  std::vector<Continuum> segments;
+  std::vector<std::pair<int, Exact_box>> boxes;   // with the dimension
   for (Continuum& continuum : continua) {
-    for (bool has_joined = true; has_joined;) {
-      has_joined = false;
-      for (auto other = result.begin(); other != result.end() && !has_joined; ++other)
-        if (join_segments(continuum, *other) || join_covers(continuum, *other)) {
-          result.erase(other);
-          has_joined = true;
-        }
+    if (continuum.ends.empty()) {
+      for (const Exact_box& box : continuum.cover)
+        boxes.emplace_back(continuum.dimension, box);
+      continue;
     }
-    result.push_back(std::move(continuum));
+    for (auto other = segments.begin(); other != segments.end();)
+      if (join_segments(continuum, *other)) {
+        segments.erase(other);
+        other = segments.begin();
+      } else
+        ++other;
+    segments.push_back(std::move(continuum));
   }
-  for (bool has_joined = true; has_joined;) {
-    has_joined = false;
-    std::erase_if(open, [&](const Exact_box& box) {
-      for (Continuum& continuum : result)
-        if (continuum.ends.empty() &&
-            std::any_of(continuum.cover.begin(), continuum.cover.end(), [&](const Exact_box& other) { return boxes_touch(box, other); })) {
-          continuum.cover.push_back(box);
-          return has_joined = true;
-        }
-      return false;
-    });
+  for (const Exact_box& box : open)
+    boxes.emplace_back(0, box);
+  continua = std::move(segments);
+  open.clear();
+  for (const std::vector<std::size_t>& group : groups_that_touch(boxes)) {
+    Continuum continuum{0, {}, {}};
+    for (std::size_t k : group) {
+      continuum.dimension = (std::max)(continuum.dimension, boxes[k].first);
+      continuum.cover.push_back(std::move(boxes[k].second));
+    }
+    if (continuum.dimension > 0)
+      continua.push_back(std::move(continuum));
+    else
+      std::move(continuum.cover.begin(), continuum.cover.end(), std::back_inserter(open));
   }
-  continua = std::move(result);
 }
 
 } // namespace internal

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_CURVE_TEST_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_CURVE_TEST_H
+
+#include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Tells whether a node looks like a piece of a curve of solutions of at least as many equalities as unknowns, f = 0.
+
+Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - 1 rows are solved for all unknowns but one, the parameter. When their derivatives by these unknowns, bounded on all
+of the node, differ from the identity by less than one in the row sums, then for each value of the parameter at most one point of the node makes these rows zero (the graph test for curves):
+it is proved that the solutions in the node have at most dimension one. That the other rows are zero all along the curve is not proved but tried at a few points.
+
+The test is made on a box that is not thinner on any axis than a quarter of the widest one: in a thin box the unknowns of short ranges look as if they did not matter.
+*/
+template <class NT>
+class Solution_curve_test
+{
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+
+  const System_layout& m_layout;
+  Exact_source& m_source;
+  Node_analysis<NT> m_analysis;
+  Box_node<NT> m_node;
+  std::vector<double> m_middle, m_radius, m_transform, m_place, m_value;
+  std::vector<int> m_row;   // of g, per unknown; -1: the parameter
+  std::vector<Exact_source::Value> m_values;
+  double m_resolution = 0;   // of places in the node
+
+public:
+  Solution_curve_test(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
+    : m_layout(layout), m_source(source), m_analysis(layout, source, summary, tracks_rounding)
+  {
+    m_node.allocate(layout);
+  }
+
+  bool operator()(const Cell& cell, const Box_node<NT>& node, const std::vector<double>& domain_widths)
+  {
+    surround(node, domain_widths);
+    m_analysis.rebuild(cell, m_node);
+    m_analysis.look_at(m_node);
+    return eliminate(m_analysis.view) && is_graph() && are_zero_along_graph(cell);
+  }
+
+private:
+  int n() const { return m_layout.dimension; }
+  int m() const { return m_layout.equalities; }
+
+  void surround(const Box_node<NT>& node, const std::vector<double>& domain_widths)
+  {
+    double widest = 0;
+    const auto width = [&](int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); };
+    for (int j = 0; j < n(); ++j)
+      if (domain_widths[j] > 0)
+        widest = (std::max)(widest, width(j) / domain_widths[j]);
+    for (int j = 0; j < n(); ++j) {
+      const double margin = 0.5 * (0.25 * widest * domain_widths[j] - width(j));
+      m_node.lower[j] = margin > 0 ? below(node.lower[j], margin) : node.lower[j];
+      m_node.upper[j] = margin > 0 ? above(node.upper[j], margin) : node.upper[j];
+    }
+  }
+
+  bool eliminate(Node_view& view)
+  {
+    m_middle.resize(m() * n());
+    m_radius.resize(m() * n());
+    for (int i = 0; i < m(); ++i)
+      for (int j = 0; j < n(); ++j) {
+        const double lower = view.derivative_lower(i)[j], upper = view.derivative_upper(i)[j];
+        m_middle[i * n() + j] = 0.5 * (lower + upper);
+        m_radius[i * n() + j] = 0.5 * (upper - lower);
+      }
+    const int width = n() + m();
+    std::vector<double> a(m() * width, 0.0);   // (J | I)
+    for (int i = 0; i < m(); ++i) {
+      std::copy_n(m_middle.begin() + i * n(), n(), a.begin() + i * width);
+      a[i * width + n() + i] = 1;
+    }
+    m_row.assign(n(), -1);
+    for (int rank = 0; rank + 1 < n(); ++rank) {
+      int row = -1, column = -1;
+      double largest = 0;
+      for (int i = rank; i < m(); ++i)
+        for (int j = 0; j < n(); ++j)
+          if (m_row[j] < 0 && std::abs(a[i * width + j]) > largest) {
+            largest = std::abs(a[i * width + j]);
+            row = i;
+            column = j;
+          }
+      if (row < 0)
+        return false;
+      std::swap_ranges(a.begin() + rank * width, a.begin() + (rank + 1) * width, a.begin() + row * width);
+      m_row[column] = rank;
+      const double pivot = a[rank * width + column];
+      for (int j = 0; j < width; ++j)
+        a[rank * width + j] /= pivot;
+      for (int i = 0; i < m(); ++i)
+        if (const double multiple = a[i * width + column]; i != rank && multiple != 0)
+          for (int j = 0; j < width; ++j)
+            a[i * width + j] -= multiple * a[rank * width + j];
+    }
+    m_transform.resize(m() * m());
+    for (int i = 0; i < m(); ++i)
+      std::copy_n(a.begin() + i * width + n(), m(), m_transform.begin() + i * m());
+    return true;
+  }
+
+  bool is_graph() const
+  {
+    constexpr double rounding = 1e-9;
+    for (int i = 0; i + 1 < n(); ++i) {
+      double difference = 0, size = 0;
+      for (int j = 0; j < n(); ++j) {
+        if (m_row[j] < 0)
+          continue;
+        double sum = m_row[j] == i ? -1 : 0, radius = 0;
+        for (int l = 0; l < m(); ++l) {
+          const double factor = m_transform[i * m() + l];
+          sum += factor * m_middle[l * n() + j];
+          radius += std::abs(factor) * m_radius[l * n() + j];
+          size += std::abs(factor * m_middle[l * n() + j]);
+        }
+        difference += std::abs(sum) + radius;
+      }
+      if (!(difference + rounding * size < 1))
+        return false;
+    }
+    return true;
+  }
+
+  // The rows that the curve does not make zero are zero, up to rounding, at two points of it at least, and nowhere else where it was tried.
+  bool are_zero_along_graph(const Cell& cell)
+  {
+    int zeros = 0;
+    for (const double parameter : {-0.41, -0.13, 0.17, 0.38}) {
+      m_place.assign(n(), 0);
+      for (int j = 0; j < n(); ++j)
+        if (m_row[j] < 0)
+          m_place[j] = parameter;
+      const bool is_found = move_to_graph(cell);
+      if (is_found && !are_zero())
+        return false;
+      zeros += is_found;
+    }
+    return zeros >= 2;
+  }
+
+  bool move_to_graph(const Cell& cell)
+  {
+    constexpr int most_steps = 60;
+    std::vector<Coordinate> point(m_node.lower.size());
+    m_resolution = std::is_same_v<Coordinate, double> ? 0x1p-45 : 0x1p-28;   // that of place_below()
+    for (int j = 0; j < n(); ++j) {
+      const double lower = CGAL::to_double(m_node.lower[j]), width = CGAL::to_double(Coordinate(m_node.upper[j] - m_node.lower[j]));
+      m_resolution = (std::max)(m_resolution, 0x1p-52 * std::abs(lower) / width);
+    }
+    for (int step = 0; step < most_steps; ++step) {
+      for (int j = 0; j < n(); ++j)
+        point[j] = place_below(m_node.lower[j], m_node.upper[j], m_place[j] + 0.5);
+      evaluate(cell, std::span<const Coordinate>(point));
+      double longest = 0;
+      for (int j = 0; j < n(); ++j)
+        if (m_row[j] >= 0) {
+          m_place[j] -= m_value[m_row[j]];
+          longest = (std::max)(longest, std::abs(m_value[m_row[j]]));
+          if (!(std::abs(m_place[j]) < 0.6))
+            return false;
+        }
+      if (longest < 8 * m_resolution)
+        return true;
+    }
+    return false;
+  }
+
+  // g at a point, in m_value.
+  void evaluate(const Cell& cell, std::span<const Coordinate> point)
+  {
+    m_source.evaluate(cell, point, m_values);
+    m_value.assign(m(), 0);
+    for (int l = 0; l < m(); ++l) {
+      const long exponent = (std::max)(-3000L, (std::min)(m_values[l].exponent - m_node.scale[l], 3000L));
+      const double value = std::ldexp(m_values[l].mantissa, static_cast<int>(exponent));
+      for (int i = 0; i < m(); ++i)
+        m_value[i] += m_transform[i * m() + l] * value;
+    }
+  }
+
+  bool are_zero() const
+  {
+    const double rounding = 64 * m_resolution;
+    for (int i = n() - 1; i < m(); ++i) {
+      double size = 0;
+      for (int l = 0; l < m(); ++l)
+        for (int j = 0; j < n(); ++j)
+          size += std::abs(m_transform[i * m() + l] * m_middle[l * n() + j]);
+      if (!(std::abs(m_value[i]) <= rounding * size))
+        return false;
+    }
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_CURVE_TEST_H
