@@ -77,12 +77,20 @@ void print_lines(const std::vector<std::string>& names, const Solution_set& solu
     std::cout << (solution.is_certified() ? "root " : "box ") << ++index << "  " << solution.kind();
     if (solution.kind() == Solution_kind::CLUSTER && solution.multiplicity() > 0)
       std::cout << " of multiplicity " << solution.multiplicity();
+    if (solution.kind() == Solution_kind::CONTINUUM)
+      std::cout << " of dimension " << solution.dimension() << " in " << solution.cover().size() << (solution.cover().size() == 1 ? " box" : " boxes");
     if (solution.kind() == Solution_kind::UNDECIDED)
       std::cout << " (" << solution.reason() << ')';
     std::cout << ' ' << std::setprecision(17);
     for (std::size_t j = 0; j < names.size(); ++j) {
       const auto [lower, upper] = as_doubles(solution[j]);
       std::cout << ' ' << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    for (const auto& end : solution.ends()) {
+      std::cout << (&end == &solution.ends().front() ? ", a segment from (" : " to (");
+      for (std::size_t j = 0; j < names.size(); ++j)
+        std::cout << (j == 0 ? "" : ", ") << end[j];
+      std::cout << ')';
     }
     std::cout << '\n';
   }

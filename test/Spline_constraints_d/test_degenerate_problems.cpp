@@ -39,6 +39,10 @@ void check_clusters(const System& system, const std::vector<Expected_cluster>& c
         ++found;
         EXPECT_EQ(solution.kind(), Solution_kind::CLUSTER) << text_of(point);
         EXPECT_EQ(solution.multiplicity(), multiplicity) << text_of(point);
+        const auto region = solution.exact_uniqueness_region();   // the annulus around it is empty
+        EXPECT_TRUE(contains(region, solution.exact_box()));
+        for (const auto& [other, other_multiplicity] : clusters)
+          EXPECT_EQ(meets(region, other), meets(solution.box(), other));
       }
     for (const Point& point : regular)
       if (meets(solution.box(), point)) {

@@ -66,7 +66,7 @@ static Run walk_and_count(const System& system)
   const std::vector<Coordinate> lower(system.dimension(), Coordinate(-2)), upper(system.dimension(), Coordinate(2));
   const auto task = Walk::make_task(SC::internal::Cell(system.dimension(), 0), lower, upper, 1);
   const std::size_t before = allocations;
-  walk.run(task, {.nodes = std::size_t(1) << 40, .looks = 0, .attempts = 0, .open_before = 0});
+  walk.run(task, {.nodes = std::size_t(1) << 40, .looks = 0, .attempts = 0, .open_before = 0, .guesses = 0});
   const std::size_t after = allocations;
   EXPECT_TRUE(walk.open_boxes().empty());
   EXPECT_TRUE(walk.pending().empty());

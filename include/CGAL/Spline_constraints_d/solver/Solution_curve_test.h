@@ -156,7 +156,7 @@ private:
         if (m_row[j] < 0)
           m_place[j] = parameter;
       const bool is_found = move_to_graph(cell);
-      if (is_found && !are_zero())
+      if (is_found && (!are_zero(64 * m_resolution) || (zeros == 0 && !are_zero_exactly(cell))))
         return false;
       zeros += is_found;
     }
@@ -191,7 +191,8 @@ private:
   }
 
   // g at a point, in m_value.
-  void evaluate(const Cell& cell, std::span<const Coordinate> point)
+  template <class C>
+  void evaluate(const Cell& cell, std::span<const C> point)
   {
     m_source.evaluate(cell, point, m_values);
     m_value.assign(m(), 0);
@@ -203,9 +204,35 @@ private:
     }
   }
 
-  bool are_zero() const
+  // Moves on with rational coordinates, since what is zero up to the rounding of doubles may be a pair of roots.
+  bool are_zero_exactly(const Cell& cell)
   {
-    const double rounding = 64 * m_resolution;
+    constexpr int bits = 160, most_steps = 200;   // beyond the width of the node
+    std::vector<Exact_rational> point;
+    std::vector<double> widths;
+    int finest = bits;
+    for (int j = 0; j < n(); ++j) {
+      widths.push_back(CGAL::to_double(Coordinate(m_node.upper[j] - m_node.lower[j])));
+      point.push_back(Exact_rational(place_below(m_node.lower[j], m_node.upper[j], m_place[j] + 0.5)));
+      finest = (std::max)(finest, bits - std::ilogb(widths[j]));
+    }
+    for (int step = 0; step < most_steps; ++step) {
+      evaluate(cell, std::span<const Exact_rational>(point));
+      double longest = 0;
+      for (int j = 0; j < n(); ++j)
+        if (m_row[j] >= 0) {
+          point[j] = stepped(point[j], -m_value[m_row[j]] * widths[j], finest);
+          longest = (std::max)(longest, std::abs(m_value[m_row[j]]));
+        }
+      if (longest < std::ldexp(1.0, 8 - bits))
+        return are_zero(std::ldexp(1.0, 32 - bits));
+    }
+    return false;
+  }
+
+  // At the point of the last value, relative to what would cancel.
+  bool are_zero(double rounding) const
+  {
     for (int i = n() - 1; i < m(); ++i) {
       double size = 0;
       for (int l = 0; l < m(); ++l)

@@ -150,8 +150,8 @@ public:
     return result;
   }
 
-  //! a box around the enclosure that holds no other solution of the equalities; only of a certified solution. In doubles it is rounded inwards: where `exact_box()` is finer
-  //! than doubles, a range may be empty, its lower end above the upper one.
+  //! a box around the enclosure that holds no other solution of the equalities, for a certified solution; of a cluster, a box around it without any solution in the domain outside of the cluster's box.
+  //! Empty for other answers. In doubles it is rounded inwards: where `exact_box()` is finer than doubles, a range may be empty, its lower end above the upper one.
   const Box& uniqueness_region() const { return m_region; }
 
   //! the same without rounding.
@@ -161,7 +161,8 @@ public:
   int dimension() const { return m_dimension; }
 
   //! boxes that hold all solutions of a `CONTINUUM`, or of what looks like one but is `UNDECIDED`; empty for other answers. They touch each other; one or several connected components run
-  //! through them. Each box of a `CONTINUUM` holds solutions of its dimension, except for tiny ones where it has a singular point or leaves the set that the inequalities describe.
+  //! through them. Each box of a `CONTINUUM` holds solutions of its dimension, except for tiny ones where it has a singular point, only touches the box, or leaves the set that the inequalities
+  //! describe.
   const std::vector<Exact_box>& cover() const { return m_cover; }
 
   //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the closure of what the inequalities allow. Empty otherwise.

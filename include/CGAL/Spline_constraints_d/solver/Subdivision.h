@@ -55,6 +55,7 @@ struct Task_limits
   std::size_t looks;         // at C f, and four more for each that pays
   std::size_t attempts;      // to certify boxes around open ones: not for the many of a continuum
   std::size_t open_before;   // boxes that were left open elsewhere
+  std::size_t guesses = 16;  // that a box holds a solution which is not regular, and some more for each that is right
   int depth = (std::numeric_limits<int>::max)();   // the first box that was split more often ends the task
 };
 
@@ -99,7 +100,7 @@ private:
   std::vector<double> m_rating, m_widths, m_domain_widths;
   Cell m_cell;
   std::size_t m_looks = 0, m_gains = 0, m_most_looks = 0;   // at C f
-  std::size_t m_most_attempts = 0, m_curve_attempts = 0;
+  std::size_t m_most_attempts = 0, m_most_guesses = 0, m_curve_guesses = 0, m_point_guesses = 0;
   std::size_t m_last_node = 0, m_open_before = 0;
   int m_deepest = 0;
   static constexpr double m_coarsening = 32;
@@ -131,7 +132,8 @@ public:
     m_tolerance = m_options.tolerance * std::pow(m_coarsening, static_cast<double>(m_open_before / m_options.coarsening_step));
     m_most_looks = limits.looks;
     m_most_attempts = limits.attempts;
-    m_looks = m_gains = m_curve_attempts = 0;
+    m_most_guesses = limits.guesses;
+    m_looks = m_gains = m_curve_guesses = m_point_guesses = 0;
     Node& root = level(0);
     root.lower = task.lower;
     root.upper = task.upper;
@@ -226,8 +228,9 @@ private:
     if (std::any_of(m_double_roots.begin(), m_double_roots.end(), covers) ||
         (m_known_double_roots != nullptr && std::any_of(m_known_double_roots->begin(), m_known_double_roots->end(), covers)))
       return true;
-    if (passes != 6 && passes != 12 && passes != 24)
+    if ((passes != 6 && passes != 12 && passes != 24) || m_point_guesses >= m_most_guesses + 8 * m_double_roots.size())
       return false;
+    ++m_point_guesses;
     std::vector<double> lower, upper;
     for (int j = 0; j < m_layout.dimension; ++j) {
       lower.push_back(to_double_interval(Exact_rational(node.lower[j])).first);
@@ -244,9 +247,9 @@ private:
   bool is_piece_of_curve(const Node& node, int depth)
   {
     const int n = m_layout.dimension;
-    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_attempts >= 32 + 16 * m_curve_boxes.size())
+    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size())
       return false;
-    ++m_curve_attempts;
+    ++m_curve_guesses;
     return m_curve_test(m_cell, node, m_domain_widths);
   }
 

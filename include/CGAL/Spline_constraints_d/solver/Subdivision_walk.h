@@ -124,6 +124,12 @@ public:
     return result;
   }
 
+  bool is_common(const Cell& cell) const
+  {
+    const auto place = m_common.find(cell);
+    return place != m_common.end() && place->second.has_value();
+  }
+
   void run()
   {
     // The first round is short: it makes the tasks of the others, and ends where boxes become small and stay undecided. Later ones are long beside the exact rebuild that each task starts with.

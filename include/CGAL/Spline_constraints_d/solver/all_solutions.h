@@ -102,8 +102,9 @@ public:
       report_root<NT>(root, m_solutions);
     report_double_roots();
     report_curves();
-    report_open_boxes();
     report_continua();
+    report_open_boxes();
+    isolate_clusters();
   }
 
   std::vector<Solution> take() { return std::move(m_solutions); }
@@ -144,6 +145,36 @@ private:
       m_solutions.emplace_back(Solution_kind::UNDECIDED, 1, std::move(curve.cover), std::move(curve.ends));
   }
 
+  // All solutions lie in the boxes of the answers: around a cluster there are none up to the next box.
+  void isolate_clusters()
+  {
+    for (Solution& cluster : m_solutions) {
+      if (cluster.kind() != Solution_kind::CLUSTER)
+        continue;
+      const Exact_box box = cluster.exact_box();
+      const auto surround = [&](double share) {
+        Exact_box region;
+        for (std::size_t j = 0; j < box.size(); ++j) {
+          const auto& [lower, upper] = m_system.domain(static_cast<int>(j));
+          const Exact_rational margin = Exact_rational(share) * (upper - lower);
+          region.emplace_back((std::min)(box[j].first, Exact_rational((std::max)(lower, Exact_rational(box[j].first - margin)))),
+                              (std::max)(box[j].second, Exact_rational((std::min)(upper, Exact_rational(box[j].second + margin)))));
+        }
+        return region;
+      };
+      const auto is_free = [&](const Exact_box& region) {
+        return std::none_of(m_solutions.begin(), m_solutions.end(), [&](const Solution& other) {
+          return &other != &cluster && (other.cover().empty() ? boxes_touch(region, other.exact_box())
+                                                              : std::any_of(other.cover().begin(), other.cover().end(), [&](const Exact_box& part) { return boxes_touch(region, part); }));
+        });
+      };
+      double share = 1;
+      while (share > 0x1p-200 && !is_free(surround(share)))
+        share /= 2;
+      cluster.set_uniqueness_region(share > 0x1p-200 ? surround(share) : box);
+    }
+  }
+
   static Exact_box exact_box(const Open_box<Coordinate>& box)
   {
     Exact_box result;
@@ -177,6 +208,7 @@ private:
       report_solutions_beside(cell);
     }
     join(continua, open);
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return box.reason == Undecided_reason::TOLERANCE && holds_only(continua, exact_box(box)); });
     for (Continuum& continuum : continua)
       m_solutions.emplace_back(Solution_kind::CONTINUUM, continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
     std::vector<Open_box<Coordinate>> boxes;
@@ -185,6 +217,32 @@ private:
     merge_boxes_that_meet(boxes);
     for (const auto& box : boxes)
       m_solutions.push_back(classified<NT>(m_system, box, true));
+  }
+
+  // All solutions in a box are points of continua: in each cell that it meets, they belong to what is reported of a common factor, or are one corner that lies on a continuum. Where two cells of a
+  // spline touch at a point of the continuum that ends one box and begins another, there is no more.
+  bool holds_only(const std::vector<Continuum>& continua, const Exact_box& box)
+  {
+    if (continua.empty())
+      return false;
+    std::vector<Exact_rational> lower, upper;
+    for (std::size_t j = 0; j < box.size(); ++j) {
+      lower.push_back((std::max)(box[j].first, m_system.domain(static_cast<int>(j)).first));
+      upper.push_back((std::min)(box[j].second, m_system.domain(static_cast<int>(j)).second));
+    }
+    bool is_proved = true;
+    m_walk.source().visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
+      if (!is_proved || m_walk.is_common(cell))
+        return;
+      Exact_box part;
+      for (int j = 0; j < m_system.dimension(); ++j) {
+        const auto& breaks = m_walk.source().breaks(j);
+        part.emplace_back(breaks.size() > 2 ? (std::max)(lower[j], breaks[cell[j]]) : lower[j], breaks.size() > 2 ? (std::min)(upper[j], breaks[cell[j] + 1]) : upper[j]);
+      }
+      const auto corner = only_corner_zero(m_system, part);
+      is_proved = corner && (corner->empty() || std::any_of(continua.begin(), continua.end(), [&](const Continuum& c) { return holds(c, *corner); }));
+    });
+    return is_proved;
   }
 
   // With the limits of this run.

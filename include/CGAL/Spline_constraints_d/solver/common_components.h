@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_COMMON_COMPONENTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_COMMON_COMPONENTS_H
 
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/solver/Hypersurface_cover.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
@@ -68,6 +69,57 @@ inline std::optional<Common_cell> common_cell(const Constraint_system_d& system,
   for (const auto& inequality : system.inequalities())
     result.inequalities.emplace_back(polynomial_at(inequality.function, middle), inequality.relation);
   return result;
+}
+
+/*
+The only corner of a box where the equalities may be zero there, when one of them, a polynomial around an inner point of the box, proves it: its Bernstein coefficients have one sign but for a zero at that
+corner. A point stands for "nowhere" when none is zero: empty.
+*/
+inline std::optional<Exact_point> only_corner_zero(const Constraint_system_d& system, const Exact_box& box)
+{
+  const std::size_t n = box.size();
+  Exact_point middle;
+  for (const auto& [lower, upper] : box)
+    middle.push_back((lower + upper) / Exact_rational(2));
+  for (const Spline_function& function : system.equalities()) {
+    const Power_polynomial f = polynomial_at(function, middle);
+    std::vector<int> degrees;
+    std::size_t size = 1;
+    for (std::size_t j = 0; j < n; ++j) {
+      degrees.push_back((std::max)(1, f.degree(static_cast<int>(j))));
+      size *= static_cast<std::size_t>(degrees.back()) + 1;
+    }
+    std::vector<Exact_rational> power(size, Exact_rational(0));
+    for (const auto& [monomial, coefficient] : f.terms()) {
+      std::size_t place = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        place = place * (static_cast<std::size_t>(degrees[j]) + 1) + monomial.exponent(static_cast<int>(j));
+      power[place] = coefficient;
+    }
+    const auto tensor = Bernstein_tensor<Exact_rational>::from_power_on_box(degrees, power, box);
+    std::size_t zeros = 0, positive = 0, zero_place = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const CGAL::Sign sign = CGAL::sign(tensor.coefficients()[i]);
+      positive += sign == CGAL::POSITIVE;
+      if (sign == CGAL::ZERO) {
+        ++zeros;
+        zero_place = i;
+      }
+    }
+    if (zeros > 1 || (positive != 0 && positive != size - zeros))
+      continue;
+    Exact_point corner;
+    bool is_corner = true;
+    for (std::size_t j = n; zeros == 1 && j-- > 0;) {
+      const std::size_t k = zero_place % (static_cast<std::size_t>(degrees[j]) + 1);
+      zero_place /= static_cast<std::size_t>(degrees[j]) + 1;
+      is_corner = is_corner && (k == 0 || k == static_cast<std::size_t>(degrees[j]));
+      corner.insert(corner.begin(), k == 0 ? box[j].first : box[j].second);
+    }
+    if (is_corner)
+      return corner;
+  }
+  return std::nullopt;
 }
 
 // The part of the line through two points in a box; empty when it has no length.
@@ -241,6 +293,26 @@ inline bool boxes_touch(const Exact_box& a, const Exact_box& b)
   return true;
 }
 
+// A point of a segment, or of the boxes of a cover.
+inline bool holds(const Continuum& continuum, const Exact_point& point)
+{
+  const auto holds_point = [&](const Exact_box& box) {
+    for (std::size_t j = 0; j < point.size(); ++j)
+      if (point[j] < box[j].first || box[j].second < point[j])
+        return false;
+    return true;
+  };
+  if (std::none_of(continuum.cover.begin(), continuum.cover.end(), holds_point))
+    return false;
+  for (std::size_t j = 1; !continuum.ends.empty() && j < point.size(); ++j)
+    for (std::size_t l = 0; l < j; ++l) {
+      const Exact_point &a = continuum.ends[0], &b = continuum.ends[1];
+      if (!CGAL::is_zero(Exact_rational((b[j] - a[j]) * (point[l] - a[l]) - (b[l] - a[l]) * (point[j] - a[j]))))
+        return false;
+    }
+  return true;
+}
+
 // Two segments of one line that share an end become one.
 inline bool join_segments(Continuum& a, const Continuum& b)
 {
@@ -259,8 +331,8 @@ inline bool join_segments(Continuum& a, const Continuum& b)
         for (std::size_t j = 0; j < p.size(); ++j)
           if (CGAL::is_negative(Exact_rational((q[j] - p[j]) * (r[j] - q[j]))))
             return false;
-        a.ends = p < r ? std::vector<Exact_point>{p, r} : std::vector<Exact_point>{r, p};
         a.cover = {hull(p, r)};
+        a.ends = p < r ? std::vector<Exact_point>{p, r} : std::vector<Exact_point>{r, p};   // p and q are gone
         return true;
       }
   return false;

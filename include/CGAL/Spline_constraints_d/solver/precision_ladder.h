@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
+#include <CGAL/Spline_constraints_d/solver/nearly_double_root.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <algorithm>
@@ -57,11 +58,12 @@ public:
   }
 
   // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
-  // that is not regular, and not when the box is large or a limit was reached.
+  // that is not regular, or looks like one, and not when the box is large or a limit was reached.
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
-    if (is_regular || answer.reason() == Undecided_reason::TOLERANCE)
+    const bool is_open = answer.reason() == Undecided_reason::TOLERANCE && !is_nearly_double_root(m_system, box, 2 * m_options.ladder_precision);
+    if (is_regular || is_open)
       climb(box, answer, solutions);
     else
       solutions.push_back(answer);
@@ -117,7 +119,7 @@ private:
     for (const Box& box : boxes)
       visit_cell_boxes<Exact_rational>(m_source, box.lower, box.upper, bits, [&](const Cell& cell, const auto& lower, const auto& upper) {
         const std::size_t budget = m_summary.nodes < m_node_limit ? m_node_limit - m_summary.nodes : 0;
-        subdivision.run(Walk::make_task(cell, lower, upper, 0), {.nodes = budget, .looks = 32, .attempts = 64, .open_before = 0});
+        subdivision.run(Walk::make_task(cell, lower, upper, 0), {.nodes = budget, .looks = 32, .attempts = 64, .open_before = 0, .guesses = 0});
       });
     std::vector<Box>& open = subdivision.open_boxes();
     const Undecided_reason reason = m_control.reason() == Undecided_reason::NONE ? Undecided_reason::TOLERANCE : m_control.reason();
