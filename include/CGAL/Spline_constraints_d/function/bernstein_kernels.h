@@ -152,7 +152,7 @@ inline void split_at_one_half(NT* data, NT* after, const Axis_view& view)
 template <class NT>
 auto blend(const NT& t)
 {
-  return [s = NT(NT(1) - t), t](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return s * a + t * b; };
+  return [s = NT(NT(1) - t), t](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return a * s + b * t; };
 }
 
 template <class NT>

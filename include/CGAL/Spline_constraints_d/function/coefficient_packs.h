@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_COEFFICIENT_PACKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_COEFFICIENT_PACKS_H
 
-#include <Eigen/Core>
+#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +17,63 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// As many doubles side by side as one instruction of every x86-64 takes. Compilers keep packs with fixed indices in registers; they do not keep rows of arrays there, and no
-// reduction to one number, whose order is not theirs to change.
+/*
+Two doubles side by side, as one instruction of every x86-64 takes them. Compilers keep packs with fixed indices in registers; they do not keep rows of an array there, and do
+not change the order of a reduction to one number.
+*/
 constexpr int pack_size = 2;
-using Pack = Eigen::Array<double, pack_size, 1>;
 
-inline Pack load(const Pack&, const double* from) { return Eigen::Map<const Pack>(from); }
-inline double load(double, const double* from) { return *from; }
+#ifdef CGAL_HAS_SSE2
 
+struct Pack
+{
+  __m128d numbers;
+
+  Pack() = default;
+  explicit Pack(__m128d given) : numbers(given) {}
+  explicit Pack(double both) : numbers(_mm_set1_pd(both)) {}
+  Pack(double first, double second) : numbers(_mm_set_pd(second, first)) {}
+
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(_mm_add_pd(a.numbers, b.numbers)); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(_mm_sub_pd(a.numbers, b.numbers)); }
+  friend Pack operator*(const Pack& a, double b) { return Pack(_mm_mul_pd(a.numbers, _mm_set1_pd(b))); }
+};
+
+inline Pack load(Pack, const double* from) { return Pack(_mm_loadu_pd(from)); }
+inline void store(double* to, const Pack& pack) { _mm_storeu_pd(to, pack.numbers); }
+// As for doubles below, also where a number is not one.
+inline Pack lesser(const Pack& a, const Pack& b) { return Pack(_mm_min_pd(b.numbers, a.numbers)); }
+inline Pack greater(const Pack& a, const Pack& b) { return Pack(_mm_max_pd(b.numbers, a.numbers)); }
+
+#else
+
+struct Pack
+{
+  double first, second;
+
+  Pack() = default;
+  explicit Pack(double both) : first(both), second(both) {}
+  Pack(double given_first, double given_second) : first(given_first), second(given_second) {}
+
+  friend Pack operator+(const Pack& a, const Pack& b) { return {a.first + b.first, a.second + b.second}; }
+  friend Pack operator-(const Pack& a, const Pack& b) { return {a.first - b.first, a.second - b.second}; }
+  friend Pack operator*(const Pack& a, double b) { return {a.first * b, a.second * b}; }
+};
+
+inline Pack load(Pack, const double* from) { return {from[0], from[1]}; }
 inline void store(double* to, const Pack& pack)
 {
-  Eigen::Map<Pack> place(to);
-  place = pack;
+  to[0] = pack.first;
+  to[1] = pack.second;
 }
-inline void store(double* to, double number) { *to = number; }
+inline Pack lesser(const Pack& a, const Pack& b) { return {b.first < a.first ? b.first : a.first, b.second < a.second ? b.second : a.second}; }
+inline Pack greater(const Pack& a, const Pack& b) { return {b.first > a.first ? b.first : a.first, b.second > a.second ? b.second : a.second}; }
 
-inline Pack lesser(const Pack& a, const Pack& b) { return a.min(b); }
+#endif
+
+inline double load(double, const double* from) { return *from; }
+inline void store(double* to, double number) { *to = number; }
 inline double lesser(double a, double b) { return b < a ? b : a; }
-inline Pack greater(const Pack& a, const Pack& b) { return a.max(b); }
 inline double greater(double a, double b) { return b > a ? b : a; }
 
 // step(k) for k = 0..count-1, with k known to the compiler.
@@ -74,8 +113,8 @@ public:
   Pack_bounds()
   {
     unroll<packs>([&](auto k) {
-      m_least[k].setConstant(HUGE_VAL);
-      m_most[k].setConstant(-HUGE_VAL);
+      m_least[k] = Pack(HUGE_VAL);
+      m_most[k] = Pack(-HUGE_VAL);
     });
   }
 
@@ -95,8 +134,8 @@ public:
     Pack repeated[few];
     unroll<few>([&](auto k) { repeated[k] = Pack(base[k * pack_size % members], base[(k * pack_size + 1) % members]); });
     unroll<packs>([&](auto k) {
-      m_least[k] = m_least[k].min(other.m_least[k] - repeated[k % few]);
-      m_most[k] = m_most[k].max(other.m_most[k] - repeated[k % few]);
+      m_least[k] = lesser(m_least[k], other.m_least[k] - repeated[k % few]);
+      m_most[k] = greater(m_most[k], other.m_most[k] - repeated[k % few]);
     });
   }
 
@@ -106,8 +145,8 @@ public:
     unroll<few>([&](auto k) {
       Pack low = m_least[k], high = m_most[k];
       unroll<packs / few - 1>([&](auto i) {
-        low = low.min(m_least[(i + 1) * few + k]);
-        high = high.max(m_most[(i + 1) * few + k]);
+        low = lesser(low, m_least[(i + 1) * few + k]);
+        high = greater(high, m_most[(i + 1) * few + k]);
       });
       store(lower + k * pack_size, low);
       store(upper + k * pack_size, high);
@@ -116,8 +155,8 @@ public:
       least[m] = lower[m];
       most[m] = upper[m];
       for (std::size_t i = m + members; i < shortest; i += members) {
-        least[m] = lower[i] < least[m] ? lower[i] : least[m];
-        most[m] = upper[i] > most[m] ? upper[i] : most[m];
+        least[m] = lesser(least[m], lower[i]);
+        most[m] = greater(most[m], upper[i]);
       }
     }
   }
@@ -127,19 +166,25 @@ private:
   void add_steps(std::size_t begin, std::size_t size, const Below& below, const Above& above)
   {
     constexpr std::size_t step = count * pack_size;
+    Pack least[count], most[count];   // not behind a pointer
+    unroll<count>([&](auto k) {
+      least[k] = m_least[k];
+      most[k] = m_most[k];
+    });
+    const auto add_packs = [&](std::size_t i) {
+      unroll<count>([&](auto k) {
+        least[k] = lesser(least[k], below(Pack(), begin, i + k * pack_size));
+        most[k] = greater(most[k], above(Pack(), begin, i + k * pack_size));
+      });
+    };
     std::size_t i = 0;
     for (; i + step <= size; i += step)
-      add_packs<count>(begin, i, below, above);
+      add_packs(i);
     if (i < size)
-      add_packs<count>(begin, size - step, below, above);
-  }
-
-  template <int count, class Below, class Above>
-  void add_packs(std::size_t begin, std::size_t i, const Below& below, const Above& above)
-  {
+      add_packs(size - step);
     unroll<count>([&](auto k) {
-      m_least[k] = m_least[k].min(below(Pack(), begin, i + k * pack_size));
-      m_most[k] = m_most[k].max(above(Pack(), begin, i + k * pack_size));
+      m_least[k] = least[k];
+      m_most[k] = most[k];
     });
   }
 };
@@ -199,9 +244,9 @@ inline void sum_range(std::size_t functions, std::size_t size, const Value& valu
   if constexpr (members > 0) {
     constexpr int few = std::lcm(members, pack_size) / pack_size, packs = few * (few >= 3 ? 1 : 4 / few);
     Pack sums[packs];
-    unroll<packs>([&](auto k) { sums[k].setZero(); });
+    unroll<packs>([&](auto k) { sums[k] = Pack(0); });
     for (; i + packs * pack_size <= size; i += packs * pack_size)
-      unroll<packs>([&](auto k) { sums[k] += value(Pack(), i + k * pack_size); });
+      unroll<packs>([&](auto k) { sums[k] = sums[k] + value(Pack(), i + k * pack_size); });
     double lanes[packs * pack_size];
     unroll<packs>([&](auto k) { store(lanes + k * pack_size, sums[k]); });
     unroll<packs * pack_size>([&](auto k) { sum[k % members] += lanes[k]; });
@@ -261,7 +306,7 @@ inline void sum_over_axis(const double* data, std::size_t count, std::size_t siz
   for_each_place(size, [&](auto type, std::size_t i) {
     auto total = load(type, data + i);
     for (std::size_t k = i + size; k < count * size; k += size)
-      total += load(type, data + k);
+      total = total + load(type, data + k);
     store(sum + i, total);
   });
 }

@@ -284,7 +284,7 @@ inline void Node_view::enclose_line(const internal::Block& block, const Plan& pl
     if (count > 1) {
       const decltype(type) slope = internal::load(type, data + (count - 1) * functions + m) - least;
       internal::store(m_block_slopes.data() + m, slope);
-      least -= slope * greville[0];
+      least = least - slope * greville[0];
       most = least;
       for (std::size_t k = 1; k < count; ++k) {
         const decltype(type) rest = internal::load(type, data + k * functions + m) - slope * greville[k];
