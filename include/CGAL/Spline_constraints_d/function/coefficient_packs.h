@@ -108,7 +108,7 @@ class Pack_bounds
   Pack m_least[packs], m_most[packs];
 
 public:
-  static constexpr std::size_t shortest = few * pack_size;
+  static constexpr std::size_t shortest = few * pack_size, worthwhile = packs * pack_size;
 
   Pack_bounds()
   {
@@ -205,7 +205,7 @@ inline void bound_ranges(std::size_t functions, const Ranges& ranges, const Belo
 {
   constexpr bool has_base = !std::is_same_v<Base, std::nullptr_t>;
   if constexpr (members > 0)
-    if (ranges.size >= Pack_bounds<members>::shortest) {
+    if (ranges.size >= Pack_bounds<members>::shortest && ranges.count * ranges.size >= Pack_bounds<members>::worthwhile) {
       Pack_bounds<members> bounds;
       for (std::size_t r = 0; r < ranges.count; ++r)
         if constexpr (has_base) {
@@ -243,13 +243,15 @@ inline void sum_range(std::size_t functions, std::size_t size, const Value& valu
   std::size_t i = 0;
   if constexpr (members > 0) {
     constexpr int few = std::lcm(members, pack_size) / pack_size, packs = few * (few >= 3 ? 1 : 4 / few);
-    Pack sums[packs];
-    unroll<packs>([&](auto k) { sums[k] = Pack(0); });
-    for (; i + packs * pack_size <= size; i += packs * pack_size)
-      unroll<packs>([&](auto k) { sums[k] = sums[k] + value(Pack(), i + k * pack_size); });
-    double lanes[packs * pack_size];
-    unroll<packs>([&](auto k) { store(lanes + k * pack_size, sums[k]); });
-    unroll<packs * pack_size>([&](auto k) { sum[k % members] += lanes[k]; });
+    if (size >= packs * pack_size) {
+      Pack sums[packs];
+      unroll<packs>([&](auto k) { sums[k] = Pack(0); });
+      for (; i + packs * pack_size <= size; i += packs * pack_size)
+        unroll<packs>([&](auto k) { sums[k] = sums[k] + value(Pack(), i + k * pack_size); });
+      double lanes[packs * pack_size];
+      unroll<packs>([&](auto k) { store(lanes + k * pack_size, sums[k]); });
+      unroll<packs * pack_size>([&](auto k) { sum[k % members] += lanes[k]; });
+    }
   }
   for (; i < size; i += count)
     for (std::size_t m = 0; m < count; ++m)
@@ -287,7 +289,22 @@ inline void for_each_place(std::size_t size, const Change& change)
     change(0.0, i);
 }
 
-// The least and the largest of `count` numbers each, `size` places apart: bounds over an axis, whatever varies faster being kept. The result may take the place of the first of them.
+// The least and the largest of `count` numbers each, `size` places apart: bounds over an axis, whatever varies faster being kept.
+inline void bound_over_axis(const double* data, std::size_t count, std::size_t size, double* least, double* most)
+{
+  for_each_place(size, [&](auto type, std::size_t i) {
+    auto low = load(type, data + i), high = low;
+    for (std::size_t k = i + size; k < count * size; k += size) {
+      const auto x = load(type, data + k);
+      low = lesser(low, x);
+      high = greater(high, x);
+    }
+    store(least + i, low);
+    store(most + i, high);
+  });
+}
+
+// The same for two arrays, one that bounds from below and one from above. The results may take the places of the first numbers.
 inline void bound_over_axis(const double* lower, const double* upper, std::size_t count, std::size_t size, double* least, double* most)
 {
   for_each_place(size, [&](auto type, std::size_t i) {

@@ -204,10 +204,14 @@ void Node_view::bound_block(const internal::Block& block, const Plan& plan)
   const double* data = m_coefficients + block.offset;
   double *least = m_least_over_first.data() + plan.over_first, *most = m_most_over_first.data() + plan.over_first;
   double *lower = m_block_lower.data() + block.first_error, *upper = m_block_upper.data() + block.first_error;
-  internal::bound_over_axis(data, data, block.size() / inner, inner, least, most);
-  internal::bound_ranges<members>(
-    functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
-    [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
+  internal::bound_over_axis(data, block.size() / inner, inner, least, most);
+  if (inner == functions) {
+    std::copy_n(least, functions, lower);
+    std::copy_n(most, functions, upper);
+  } else
+    internal::bound_ranges<members>(
+      functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
+      [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
   for (std::size_t m = 0; m < functions; ++m) {
     const double error = m_errors[block.first_error + m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
     lower[m] -= error;
