@@ -54,6 +54,7 @@ class Node_view
   std::vector<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
   std::vector<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
   std::vector<double> m_block_rest_lower, m_block_rest_upper;
+  std::vector<int> m_index;
 
 public:
   explicit Node_view(const internal::System_layout& layout);
@@ -186,6 +187,7 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     v->resize(members);
   m_work.resize(work);
   m_block_slopes.resize(slopes);
+  m_index.resize(layout.dimension);
 }
 
 inline void Node_view::bound_blocks()
@@ -257,16 +259,18 @@ void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
   const std::size_t functions = block.functions.size();
   const double *data = m_coefficients + block.offset, *line = m_work.data();
   tabulate<members>(block, plan, m_work.data());
+  std::fill_n(m_index.begin(), plan.slow_axes, 0);
   const auto base = [&](std::size_t row) {
-    std::fill_n(m_base.begin(), functions, 0.0);
+    for (std::size_t j = plan.slow_axes; row > 0 && j-- > 0;) {   // odometer over the slower axes
+      if (++m_index[j] <= block.degrees[j])
+        break;
+      m_index[j] = 0;
+    }
     const double* greville = m_greville.data() + plan.greville;
-    std::size_t rows = block.size() / plan.row;
+    std::fill_n(m_base.begin(), functions, 0.0);
     for (std::size_t j = 0; j < plan.slow_axes; ++j) {
-      rows /= static_cast<std::size_t>(block.degrees[j]) + 1;
-      const std::size_t k = row / rows;
-      row -= k * rows;
       for (std::size_t m = 0; m < functions; ++m)
-        m_base[m] += m_block_slopes[j * functions + m] * greville[k];
+        m_base[m] += m_block_slopes[j * functions + m] * greville[m_index[j]];
       greville += block.degrees[j] + 1;
     }
     return static_cast<const double*>(m_base.data());
