@@ -4,7 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_COEFFICIENT_PACKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_COEFFICIENT_PACKS_H
 
-#include <CGAL/Interval_nt.h>
+#include <CGAL/FPU.h>
+
+#ifdef CGAL_HAS_SSE2
+#include <emmintrin.h>
+#endif
 
 #include <algorithm>
 #include <cmath>

@@ -300,7 +300,7 @@ inline void Node_view::enclose_line(const internal::Block& block, const Plan& pl
         most = internal::greater(most, rest);
       }
     } else if (!block.axes.empty())
-      internal::store(m_block_slopes.data() + m, decltype(type)(least - least));
+      internal::store(m_block_slopes.data() + m, decltype(type)(0.0));
     internal::store(m_block_rest_lower.data() + m, least);
     internal::store(m_block_rest_upper.data() + m, most);
   });
