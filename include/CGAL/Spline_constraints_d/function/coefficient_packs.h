@@ -87,7 +87,7 @@ inline void unroll(const Step& step)
   [&]<int... k>(std::integer_sequence<int, k...>) { (step(std::integral_constant<int, k>()), ...); }(std::make_integer_sequence<int, count>());
 }
 
-// run(integral_constant<int, k>) for the k between 1 and `most` that `value` is; otherwise for k = 0.
+// Calls run(integral_constant<int, k>) for the k between 1 and `most` that `value` is; otherwise for k = 0.
 template <int most, class Run>
 inline void run_with_constant(std::size_t value, const Run& run)
 {

@@ -116,12 +116,16 @@ private:
       ++reaching;
     if (reaching > degree)
       return 2;
-    double best = degree;   // a crossing at i + (k - i) a / (a - b) is compared without the division
+    double best = degree;
     for (int i = 0; i < reaching; ++i) {
       const double a = distance(i);
       for (int k = reaching; k <= degree; ++k)
-        if (const double b = distance(k); b <= 0 && (k - i) * a < (best - i) * (a - b))
-          best = i + (k - i) * (a / (a - b));
+        if (const double b = distance(k); b <= 0) {
+          const double drop = a - b;
+          if (0x1p-900 < drop && drop < 0x1p900 && (k - i) * a >= (best - i) * drop)
+            continue;   // no better, up to a few roundings, as is found without a division
+          best = (std::min)(best, i + (k - i) * (a / drop));
+        }
     }
     return best / degree;
   }
