@@ -138,7 +138,8 @@ The default reduction: the equations' own affine enclosures, the projected polyh
 
 The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
 and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks and, by counted
-operations, that costs no more than a split. A second sweep follows while the linear rows still gain, since it is cheap beside a pass.
+operations, that costs no more than a split. A second sweep over the linear rows follows where
+anything was gained, since it is cheap beside a pass.
 
 \cgalModels{Reduction}
 */
@@ -157,10 +158,20 @@ public:
       return false;
     if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && m_dense.is_cheap() && !contract_dense(node, linear, box))
       return false;
+    if (is_whole(box))
+      return true;   // nothing gained, and nothing to gain from the same rows again
     return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
   }
 
 private:
+  static bool is_whole(const Local_box& box)
+  {
+    for (int j = 0; j < box.dimension(); ++j)
+      if (box.lower[j] != -0.5 || box.upper[j] != 0.5)
+        return false;
+    return true;
+  }
+
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)
   {
     Node_view* preconditioned = m_dense.apply(node);
