@@ -4,9 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_BERNSTEIN_KERNELS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_BERNSTEIN_KERNELS_H
 
-#include <cmath>
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+
+#include <algorithm>
 #include <cstddef>
-#include <utility>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -23,49 +25,39 @@ struct Axis_view
   std::size_t inner;
 };
 
-// One de Casteljau step on a row at one half: row <- (previous + row) / 2.
-template <class NT>
-inline void halve_row(const NT* previous, NT* row, std::size_t size)
-{
-  for (std::size_t i = 0; i < size; ++i)
-    row[i] = (previous[i] + row[i]) * NT(0.5);
-}
-
-// One de Casteljau step on a row: row <- s previous + t row, with s = 1 - t.
-template <class NT>
-inline void blend_row(const NT* previous, NT* row, std::size_t size, const NT& s, const NT& t)
-{
-  for (std::size_t i = 0; i < size; ++i)
-    row[i] = s * previous[i] + t * row[i];
-}
+/*
+De Casteljau's scheme on rows of numbers, for all number types and degrees: a pass over the rows per level.
+*/
 
 // Replaces `data` by the part before the parameter and writes the part after it to `after`, when that is not null.
-// `step(previous, row, size)` is one de Casteljau step on a row.
-template <class NT, class Step>
-inline void de_casteljau(NT* data, NT* after, const Axis_view& view, const Step& step)
+// `mean(previous, number)` is the mean of two neighbours.
+template <class NT, class Mean>
+inline void split_rows(NT* data, NT* after, const Axis_view& view, const Mean& mean)
 {
   const std::size_t line = view.inner * (view.degree + 1);
   for (std::size_t o = 0; o < view.outer; ++o, data += line) {
     NT* last = data + view.inner * view.degree;
     NT* target = after == nullptr ? nullptr : after + o * line + view.inner * view.degree;
     if (target != nullptr)
-      for (std::size_t i = 0; i < view.inner; ++i)
-        target[i] = last[i];
+      std::copy_n(last, view.inner, target);
     for (int r = 1; r <= view.degree; ++r) {
-      for (int k = view.degree; k >= r; --k)
-        step(data + view.inner * (k - 1), data + view.inner * k, view.inner);
+      for (int k = view.degree; k >= r; --k) {
+        NT* row = data + view.inner * k;
+        const NT* previous = row - view.inner;
+        for (std::size_t i = 0; i < view.inner; ++i)
+          row[i] = mean(previous[i], row[i]);
+      }
       if (target != nullptr) {
         target -= view.inner;
-        for (std::size_t i = 0; i < view.inner; ++i)
-          target[i] = last[i];
+        std::copy_n(last, view.inner, target);
       }
     }
   }
 }
 
 // Replaces `data` by the part after the parameter: the same triangle, run from the other end.
-template <class NT>
-inline void de_casteljau_after(NT* data, const Axis_view& view, const NT& s, const NT& t)
+template <class NT, class Mean>
+inline void keep_after_in_rows(NT* data, const Axis_view& view, const Mean& mean)
 {
   const std::size_t line = view.inner * (view.degree + 1);
   for (std::size_t o = 0; o < view.outer; ++o, data += line)
@@ -74,22 +66,99 @@ inline void de_casteljau_after(NT* data, const Axis_view& view, const NT& s, con
         NT* row = data + view.inner * k;
         const NT* next = row + view.inner;
         for (std::size_t i = 0; i < view.inner; ++i)
-          row[i] = s * row[i] + t * next[i];
+          row[i] = mean(row[i], next[i]);
       }
+}
+
+/*
+The same for doubles of low degree: the control points of two neighbouring lines along the axis fit into the registers of the machine, where the whole triangle is formed before anything is
+stored. The same operations in the same order.
+*/
+constexpr int most_degree_in_registers = 10;
+
+template <int degree, class Number, class Mean, class Keep>
+inline void keep_before(Number (&b)[degree + 1], const Mean& mean, const Keep& keep)
+{
+  keep(degree, b[degree]);
+  unroll<degree>([&](auto level) {
+    unroll<degree - level>([&](auto i) { b[degree - i] = mean(b[degree - i - 1], b[degree - i]); });
+    keep(degree - 1 - level, b[degree]);
+  });
+}
+
+template <int degree, class Number, class Mean>
+inline void keep_after(Number (&b)[degree + 1], const Mean& mean)
+{
+  unroll<degree>([&](auto level) { unroll<degree - level>([&](auto k) { b[k] = mean(b[k], b[k + 1]); }); });
+}
+
+// Calls change(b, position) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`.
+template <int degree, class Change>
+inline void change_lines(double* data, const Axis_view& view, const Change& change)
+{
+  const std::size_t inner = view.inner;
+  const auto change_at = [&]<class Number>(const Number&, std::size_t position) {
+    Number b[degree + 1];
+    unroll<degree + 1>([&](auto k) { b[k] = load(Number(), data + position + k * inner); });
+    change(b, position);
+    unroll<degree + 1>([&](auto k) { store(data + position + k * inner, b[k]); });
+  };
+  for (std::size_t o = 0; o < view.outer; ++o) {
+    std::size_t position = o * inner * (degree + 1);
+    const std::size_t end = position + inner;
+    for (; position + pack_size <= end; position += pack_size)
+      change_at(Pack(), position);
+    for (; position < end; ++position)
+      change_at(0.0, position);
+  }
+}
+
+// in_registers(integral_constant<int, degree>) where that can be done, in_rows() elsewhere.
+template <class NT, class In_registers, class In_rows>
+inline void run_de_casteljau(int degree, const In_registers& in_registers, const In_rows& in_rows)
+{
+  if constexpr (std::is_same_v<NT, double>)
+    run_with_constant<most_degree_in_registers>(static_cast<std::size_t>(degree), [&](auto d) {
+      if constexpr (d > 0)
+        in_registers(d);
+      else
+        in_rows();
+    });
+  else
+    in_rows();
+}
+
+template <class NT, class Mean>
+inline void split(NT* data, NT* after, const Axis_view& view, const Mean& mean)
+{
+  run_de_casteljau<NT>(
+    view.degree,
+    [&](auto degree) {
+      change_lines<degree>(data, view, [&](auto& b, std::size_t position) {
+        keep_before<degree>(b, mean, [&](std::size_t k, const auto& x) { store(after + position + k * view.inner, x); });
+      });
+    },
+    [&] { split_rows(data, after, view, mean); });
 }
 
 template <class NT>
 inline void split_at_one_half(NT* data, NT* after, const Axis_view& view)
 {
-  de_casteljau(data, after, view, [](const NT* previous, NT* row, std::size_t size) { halve_row(previous, row, size); });
+  const NT half(0.5);
+  split(data, after, view, [&](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return (a + b) * half; });
+}
+
+// a <- s a + t b, with s = 1 - t.
+template <class NT>
+auto blend(const NT& t)
+{
+  return [s = NT(NT(1) - t), t](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return a * s + b * t; };
 }
 
 template <class NT>
 inline void split_at(NT* data, NT* after, const Axis_view& view, const NT& t)
 {
-  const NT s = NT(1) - t;
-  de_casteljau(data, after, view,
-               [&](const NT* previous, NT* row, std::size_t size) { blend_row(previous, row, size, s, t); });
+  split(data, after, view, blend(t));
 }
 
 // Replaces `data` by the part between two parameters, which may lie outside [0,1]. `inner_t` is (t1 - t0) / (1 - t0), the
@@ -97,69 +166,23 @@ inline void split_at(NT* data, NT* after, const Axis_view& view, const NT& t)
 template <class NT>
 inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT& inner_t, bool cuts_before, bool cuts_after)
 {
-  if (cuts_before)
-    de_casteljau_after(data, view, NT(NT(1) - t0), t0);
-  if (cuts_after)
-    split_at(data, static_cast<NT*>(nullptr), view, inner_t);
-}
-
-/*
-Bounds. Comparisons run elementwise over contiguous pieces, which compilers turn into vector instructions; a reduction to one number would not be. A
-piece is `stretch` numbers long: a multiple of the number of interleaved functions that divides what it is laid over.
-*/
-
-// lower <- min(lower, data), upper <- max(upper, data), elementwise.
-inline void widen(const double* __restrict data, double* __restrict lower, double* __restrict upper, std::size_t size)
-{
-  for (std::size_t i = 0; i < size; ++i) {
-    lower[i] = data[i] < lower[i] ? data[i] : lower[i];
-    upper[i] = data[i] > upper[i] ? data[i] : upper[i];
-  }
-}
-
-// The same for two arrays, one that bounds from below and one from above.
-inline void widen(const double* __restrict data_lower, const double* __restrict data_upper, double* __restrict lower,
-                  double* __restrict upper, std::size_t size)
-{
-  for (std::size_t i = 0; i < size; ++i) {
-    lower[i] = data_lower[i] < lower[i] ? data_lower[i] : lower[i];
-    upper[i] = data_upper[i] > upper[i] ? data_upper[i] : upper[i];
-  }
-}
-
-inline void widen_by_differences(const double* __restrict data, std::size_t distance, double* __restrict lower,
-                                 double* __restrict upper, std::size_t size)
-{
-  for (std::size_t i = 0; i < size; ++i) {
-    const double difference = data[i + distance] - data[i];
-    lower[i] = difference < lower[i] ? difference : lower[i];
-    upper[i] = difference > upper[i] ? difference : upper[i];
-  }
-}
-
-// Bounds per function of `size` numbers; `work` holds 2 stretch numbers.
-inline void bound_functions(const double* data_lower, const double* data_upper, std::size_t size, std::size_t stretch,
-                            std::size_t functions, double* work, double* lower, double* upper)
-{
-  const double *least = data_lower, *most = data_upper;
-  if (stretch < size) {
-    double *work_lower = work, *work_upper = work + stretch;
-    for (std::size_t i = 0; i < stretch; ++i) {
-      work_lower[i] = data_lower[i];
-      work_upper[i] = data_upper[i];
-    }
-    for (std::size_t i = stretch; i < size; i += stretch)
-      widen(data_lower + i, data_upper + i, work_lower, work_upper, stretch);
-    least = work_lower;
-    most = work_upper;
-    size = stretch;
-  }
-  for (std::size_t f = 0; f < functions; ++f) {
-    lower[f] = least[f];
-    upper[f] = most[f];
-  }
-  for (std::size_t i = functions; i < size; i += functions)
-    widen(least + i, most + i, lower, upper, functions);
+  const auto first = blend(t0), second = blend(inner_t);
+  run_de_casteljau<NT>(
+    view.degree,
+    [&](auto degree) {
+      change_lines<degree>(data, view, [&](auto& b, std::size_t) {
+        if (cuts_before)
+          keep_after<degree>(b, first);
+        if (cuts_after)
+          keep_before<degree>(b, second, [](std::size_t, const auto&) {});
+      });
+    },
+    [&] {
+      if (cuts_before)
+        keep_after_in_rows(data, view, first);
+      if (cuts_after)
+        split_rows(data, static_cast<NT*>(nullptr), view, second);
+    });
 }
 
 } // namespace internal

@@ -7,7 +7,9 @@
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,10 +29,11 @@ class Linear_enclosure
 {
   int m_dimension, m_equations;
   std::vector<double> m_inverse;                         // C: equations x equations
-  std::vector<double> m_work;                            // A, eliminated
+  std::vector<double> m_work;                            // A, eliminated in place: the column of a pivot holds that of its row in C
+  std::vector<double> m_middle, m_half_width, m_size;    // of the right-hand sides; sums of absolute values of the rows
   std::vector<double> m_radius;                          // of the right-hand sides, carried through the elimination
   std::vector<int> m_pivot_of_row;                       // unknown that a row was solved for, or -1
-  std::vector<char> m_is_pivot;
+  std::vector<int> m_open_rows, m_open_columns;          // without a pivot
   std::vector<double> m_product, m_lower, m_upper;       // C A and C g
   std::vector<double> m_centre, m_reach;                 // per unknown: its row's bound, centre and half width
   std::vector<double> m_scale;
@@ -39,15 +42,16 @@ class Linear_enclosure
 public:
   Linear_enclosure(int dimension, int equations)
     : m_dimension(dimension), m_equations(equations), m_inverse(equations * equations), m_work(equations * dimension),
-      m_radius(equations), m_pivot_of_row(equations), m_is_pivot(dimension), m_product(equations * dimension),
+      m_middle(equations), m_half_width(equations), m_size(equations), m_radius(equations), m_pivot_of_row(equations), m_product(equations * dimension),
       m_lower(equations), m_upper(equations), m_centre(dimension), m_reach(dimension), m_scale(equations)
   {}
 
   //! contracts the box by each equation as it stands; false when no solution is left.
   bool contract_by_equations(Node_view& node, Local_box& box) const
   {
+    const double* slopes = node.slopes(0);
     for (int i = 0; i < m_equations; ++i)
-      if (!contract_by_row(node.slopes(i), node.rest_lower(i), node.rest_upper(i), box))
+      if (!contract_by_row(slopes + i * m_dimension, node.rest_lower(i), node.rest_upper(i), box))
         return false;
     return true;
   }
@@ -128,8 +132,10 @@ inline bool Linear_enclosure::contract_by_row(const double* row, double lower, d
     if (std::abs(a) * 0x1p30 < size)
       continue;
     // a s_k in -[sum without its own part]; taking the part out again doubles the rounding error at most
-    const double u = a * box.lower[k], v = a * box.upper[k];
-    const double rest_lower = sum_lower - (std::min)(u, v) - error, rest_upper = sum_upper - (std::max)(u, v) + error;
+    const double u = a * box.lower[k], v = a * box.upper[k], own_lower = (std::min)(u, v), own_upper = (std::max)(u, v);
+    const double rest_lower = sum_lower - own_lower - error, rest_upper = sum_upper - own_upper + error;
+    if (-rest_upper <= own_lower && -rest_lower >= own_upper)
+      continue;   // nothing to gain, as is found without a division
     double lo = -rest_upper / a, hi = -rest_lower / a;
     if (a < 0)
       std::swap(lo, hi);
@@ -153,60 +159,69 @@ inline void Linear_enclosure::precondition(Node_view& node)
 inline void Linear_enclosure::eliminate(Node_view& node)
 {
   const int n = m_dimension, m = m_equations;
-  std::fill(m_inverse.begin(), m_inverse.end(), 0.0);
-  std::fill(m_is_pivot.begin(), m_is_pivot.end(), 0);
   m_rank = 0;
+  const double* slopes = m == 0 ? nullptr : node.slopes(0);
+  std::copy_n(slopes, m * n, m_work.begin());
   for (int i = 0; i < m; ++i) {
-    const double* slopes = node.slopes(i);
     double size = 0;
-    for (int k = 0; k < n; ++k) {
-      m_work[i * n + k] = slopes[k];
-      size += std::abs(slopes[k]);
-    }
-    m_radius[i] = 0.5 * (node.rest_upper(i) - node.rest_lower(i));
+    for (int k = 0; k < n; ++k)
+      size += std::abs(slopes[i * n + k]);
+    const double lo = node.rest_lower(i), hi = node.rest_upper(i);
+    m_middle[i] = 0.5 * (lo + hi);
+    m_half_width[i] = m_radius[i] = 0.5 * (hi - lo);
+    m_size[i] = (std::max)(std::abs(lo), std::abs(hi)) + size;
     const double total = size + 2 * m_radius[i];
     m_scale[i] = total > 0 ? 1 / total : 0;
-    m_inverse[i * m + i] = 1;
     m_pivot_of_row[i] = -1;
   }
-  for (int step = 0; step < (std::min)(m, n); ++step) {
+  m_open_rows.resize(m);
+  m_open_columns.resize(n);
+  std::iota(m_open_rows.begin(), m_open_rows.end(), 0);
+  std::iota(m_open_columns.begin(), m_open_columns.end(), 0);
+  while (!m_open_rows.empty() && !m_open_columns.empty()) {
     int pivot_row = -1, pivot = -1;
     double best = 1e-16;
-    for (int i = 0; i < m; ++i)
-      if (m_pivot_of_row[i] < 0)
-        for (int k = 0; k < n; ++k)
-          if (!m_is_pivot[k]) {
-            const double a = std::abs(m_work[i * n + k]);
-            if (a * m_scale[i] > best && 2 * m_radius[i] < a) {
-              best = a * m_scale[i];
-              pivot_row = i;
-              pivot = k;
-            }
-          }
+    for (int i : m_open_rows) {
+      const double *row = m_work.data() + i * n, scale = m_scale[i], least = 2 * m_radius[i];
+      for (int k : m_open_columns) {
+        const double a = std::abs(row[k]);
+        if (a * scale > best && least < a) {
+          best = a * scale;
+          pivot_row = i;
+          pivot = k;
+        }
+      }
+    }
     if (pivot_row < 0)
       break;
     ++m_rank;
     m_pivot_of_row[pivot_row] = pivot;
     m_row_of[pivot] = pivot_row;
-    m_is_pivot[pivot] = 1;
+    std::erase(m_open_rows, pivot_row);
+    std::erase(m_open_columns, pivot);
     double* row = m_work.data() + pivot_row * n;
-    double* inverse = m_inverse.data() + pivot_row * m;
     const double factor = 1 / row[pivot];
+    row[pivot] = 1;
     for (int k = 0; k < n; ++k)
       row[k] *= factor;
-    for (int k = 0; k < m; ++k)
-      inverse[k] *= factor;
     m_radius[pivot_row] *= std::abs(factor);
     for (int i = 0; i < m; ++i) {
-      const double a = m_work[i * n + pivot];
+      double* other = m_work.data() + i * n;
+      const double a = other[pivot];
       if (i == pivot_row || a == 0)
         continue;
+      other[pivot] = 0;
       for (int k = 0; k < n; ++k)
-        m_work[i * n + k] -= a * row[k];
-      for (int k = 0; k < m; ++k)
-        m_inverse[i * m + k] -= a * inverse[k];
+        other[k] -= a * row[k];
       m_radius[i] += std::abs(a) * m_radius[pivot_row];
     }
+  }
+  std::fill(m_inverse.begin(), m_inverse.end(), 0.0);
+  for (int i = 0; i < m; ++i) {
+    m_inverse[i * m + i] = 1;
+    for (int k = 0; k < m; ++k)
+      if (m_pivot_of_row[k] >= 0)
+        m_inverse[i * m + k] = m_work[i * n + m_pivot_of_row[k]];
   }
 }
 
@@ -214,6 +229,7 @@ inline void Linear_enclosure::eliminate(Node_view& node)
 inline void Linear_enclosure::multiply(Node_view& node)
 {
   const int n = m_dimension, m = m_equations;
+  const double* slopes = m == 0 ? nullptr : node.slopes(0);
   for (int i = 0; i < m; ++i) {
     double* product = m_product.data() + i * n;
     std::fill_n(product, n, 0.0);
@@ -222,16 +238,11 @@ inline void Linear_enclosure::multiply(Node_view& node)
       const double c = m_inverse[i * m + k];
       if (c == 0)
         continue;
-      const double* slopes = node.slopes(k);
-      const double lo = node.rest_lower(k), hi = node.rest_upper(k);
-      double row_size = (std::max)(std::abs(lo), std::abs(hi));
-      for (int j = 0; j < n; ++j) {
-        product[j] += c * slopes[j];
-        row_size += std::abs(slopes[j]);
-      }
-      middle += c * (0.5 * (lo + hi));
-      radius += std::abs(c) * (0.5 * (hi - lo));
-      size += std::abs(c) * row_size;
+      for (int j = 0; j < n; ++j)
+        product[j] += c * slopes[k * n + j];
+      middle += c * m_middle[k];
+      radius += std::abs(c) * m_half_width[k];
+      size += std::abs(c) * m_size[k];
     }
     radius += internal::analysis_error * size;   // also covers the rounding of the products, as |s| <= 1/2
     m_lower[i] = middle - radius;

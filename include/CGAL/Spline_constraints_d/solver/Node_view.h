@@ -35,13 +35,25 @@ class Node_view
   const internal::System_layout* m_layout;
   const double* m_coefficients = nullptr;
   const double* m_errors = nullptr;
-  bool m_has_affine = false, m_has_derivatives = false;
+  bool m_has_bounds = false, m_has_affine = false, m_has_derivatives = false;
+
+  // What is known of a block before its coefficients are.
+  struct Plan
+  {
+    std::size_t over_first;          // of the bounds over its first axis
+    std::size_t greville;            // of the first axis: k/d - 1/2, axis after axis
+    std::size_t row, slow_axes;      // the linear part is tabulated on a row, over the axes from slow_axes on
+  };
+  std::vector<Plan> m_plans;
+  std::vector<double> m_greville;
 
   std::vector<double> m_block_lower, m_block_upper;            // per block and function
   std::vector<double> m_hull_lower, m_hull_upper;              // per function
   std::vector<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
   std::vector<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
+  std::vector<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
   std::vector<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
+  std::vector<double> m_block_rest_lower, m_block_rest_upper;
   std::vector<int> m_index;
 
 public:
@@ -52,7 +64,7 @@ public:
   {
     m_coefficients = coefficients;
     m_errors = errors;
-    m_has_affine = m_has_derivatives = false;
+    m_has_bounds = m_has_affine = m_has_derivatives = false;
   }
 
   //! number of unknowns.
@@ -70,12 +82,12 @@ public:
   const double* errors() const { return m_errors; }
 
   //! bounds of the function on the box.
-  double lower(int f) { compute_affine(); return m_hull_lower[f]; }
-  double upper(int f) { compute_affine(); return m_hull_upper[f]; }
+  double lower(int f) { compute_bounds(); return m_hull_lower[f]; }
+  double upper(int f) { compute_bounds(); return m_hull_upper[f]; }
 
   //! bounds of one block's part of a function; `entry` is `Block::first_error` + place of the function in the block.
-  double block_lower(std::size_t entry) { compute_affine(); return m_block_lower[entry]; }
-  double block_upper(std::size_t entry) { compute_affine(); return m_block_upper[entry]; }
+  double block_lower(std::size_t entry) { compute_bounds(); return m_block_lower[entry]; }
+  double block_upper(std::size_t entry) { compute_bounds(); return m_block_upper[entry]; }
 
   //! the function is `sum_j slope(f)[j] s_j` + something in `[rest_lower(f), rest_upper(f)]`.
   const double* slopes(int f) { compute_affine(); return m_slopes.data() + static_cast<std::size_t>(f) * dimension(); }
@@ -92,36 +104,77 @@ public:
   void visit_layers(const internal::Block& block, const Visitor& visit);
 
 private:
-  void compute_affine();
-  void compute_derivatives();
-  void add_block(const internal::Block& block);
-  void compute_block_slopes(const internal::Block& block);
-  void bound_row(const double* data, const double* line, std::size_t members, std::size_t row, double* least, double* most,
-                 double* rest_least, double* rest_most);
-  void add_differences(const internal::Block& block, std::size_t axis);
-
-  // The linear function of a block at the Greville abscissa k of an axis.
-  double linear_part(const internal::Block& block, std::size_t axis, std::size_t member, int k) const
+  void compute_bounds()
   {
-    const int degree = block.degrees[axis];
-    return degree == 0 ? 0 : m_block_slopes[axis * block.functions.size() + member] * (static_cast<double>(k) / degree - 0.5);
+    if (!m_has_bounds)
+      bound_blocks();
   }
+  void compute_affine()
+  {
+    if (!m_has_affine)
+      enclose_blocks();
+  }
+  void compute_derivatives()
+  {
+    if (!m_has_derivatives)
+      bound_derivatives();
+  }
+  void bound_blocks();
+  void enclose_blocks();
+  void bound_derivatives();
+
+  template <int members>
+  void bound_block(const internal::Block& block, const Plan& plan);
+  template <int members>
+  void enclose_block(const internal::Block& block, const Plan& plan);
+  void enclose_line(const internal::Block& block, const Plan& plan);
+  template <int members>
+  void compute_slopes(const internal::Block& block);
+  template <int members>
+  void tabulate(const internal::Block& block, const Plan& plan, double* line);
+  template <int members>
+  void bound_differences(const internal::Block& block, std::size_t axis);
+
+  // run(block, plan, integral_constant<int, members>) for every block; members is 0 for more functions than it pays to tell apart.
+  template <class Run>
+  void visit_blocks(const Run& run)
+  {
+    for (std::size_t b = 0; b < m_plans.size(); ++b) {
+      const internal::Block& block = m_layout->blocks[b];
+      internal::run_with_constant<6>(block.functions.size(), [&](auto members) { run(block, m_plans[b], members); });
+    }
+  }
+
+  // What varies faster than the first axis.
+  static std::size_t inner_size(const internal::Block& block) { return block.axes.empty() ? block.functions.size() : block.lengths[1]; }
 };
 
 inline Node_view::Node_view(const internal::System_layout& layout)
   : m_layout(&layout)
 {
+  constexpr std::size_t least_row = 48;   // for what is done once per row not to count
   const std::size_t functions = layout.functions, entries = functions * layout.dimension;
-  std::size_t size = 1, members = 1, slopes = 1, axes = 1, layers = 1;
+  std::size_t work = 1, members = 1, slopes = 1, layers = 1, over_first = 0;
   for (const internal::Block& block : layout.blocks) {
-    const std::size_t m = block.functions.size();
-    size = (std::max)(size, block.size());
+    const std::size_t m = block.functions.size(), axes = block.axes.size();
+    Plan plan{over_first, m_greville.size(), block.size(), 0};
+    for (std::size_t j = 0; j < axes; ++j) {
+      if (block.lengths[j] >= least_row) {
+        plan.row = block.lengths[j];
+        plan.slow_axes = j;
+      }
+      for (int k = 0; k <= block.degrees[j]; ++k)
+        m_greville.push_back(block.degrees[j] == 0 ? 0 : static_cast<double>(k) / block.degrees[j] - 0.5);
+      layers = (std::max)(layers, m * (block.degrees[j] + 1));
+    }
+    m_plans.push_back(plan);
+    over_first += inner_size(block);
+    work = (std::max)({work, plan.row, 2 * inner_size(block)});
     members = (std::max)(members, m);
-    slopes = (std::max)(slopes, m * block.axes.size());
-    axes = (std::max)(axes, block.axes.size());
-    for (int degree : block.degrees)
-      layers = (std::max)(layers, m * (degree + 1));
+    slopes = (std::max)(slopes, m * axes);
   }
+  for (auto* v : {&m_least_over_first, &m_most_over_first})
+    v->resize(over_first);
   for (auto* v : {&m_layer_lower, &m_layer_upper})
     v->resize(layers);
   for (auto* v : {&m_block_lower, &m_block_upper})
@@ -130,222 +183,235 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     v->resize(functions);
   for (auto* v : {&m_slopes, &m_derivative_lower, &m_derivative_upper})
     v->resize(entries);
-  m_work.resize(5 * size);
-  m_base.resize(members);
+  for (auto* v : {&m_base, &m_block_rest_lower, &m_block_rest_upper})
+    v->resize(members);
+  m_work.resize(work);
   m_block_slopes.resize(slopes);
-  m_index.resize(axes);
+  m_index.resize(layout.dimension);
 }
 
-inline void Node_view::compute_affine()
+inline void Node_view::bound_blocks()
 {
-  if (m_has_affine)
-    return;
-  m_has_affine = true;
-  for (auto* v : {&m_hull_lower, &m_hull_upper, &m_rest_lower, &m_rest_upper, &m_slopes})
+  m_has_bounds = true;
+  for (auto* v : {&m_hull_lower, &m_hull_upper})
     std::fill(v->begin(), v->end(), 0.0);
-  for (const internal::Block& block : m_layout->blocks)
-    add_block(block);
+  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) { bound_block<members>(block, plan); });
+}
+
+// Bounds over the first axis are kept: they serve the layers along all others.
+template <int members>
+void Node_view::bound_block(const internal::Block& block, const Plan& plan)
+{
+  const std::size_t functions = block.functions.size(), inner = inner_size(block);
+  const double* data = m_coefficients + block.offset;
+  double *least = m_least_over_first.data() + plan.over_first, *most = m_most_over_first.data() + plan.over_first;
+  double *lower = m_block_lower.data() + block.first_error, *upper = m_block_upper.data() + block.first_error;
+  internal::bound_over_axis(data, block.size() / inner, inner, least, most);
+  if (inner == functions) {
+    std::copy_n(least, functions, lower);
+    std::copy_n(most, functions, upper);
+  } else
+    internal::bound_ranges<members>(
+      functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
+      [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
+  for (std::size_t m = 0; m < functions; ++m) {
+    const double error = m_errors[block.first_error + m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
+    lower[m] -= error;
+    upper[m] += error;
+    m_hull_lower[block.functions[m]] += lower[m];
+    m_hull_upper[block.functions[m]] += upper[m];
+  }
+}
+
+inline void Node_view::enclose_blocks()
+{
+  compute_bounds();
+  m_has_affine = true;
+  for (auto* v : {&m_rest_lower, &m_rest_upper, &m_slopes})
+    std::fill(v->begin(), v->end(), 0.0);
+  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
+    if (block.axes.size() <= 1)
+      enclose_line(block, plan);
+    else
+      enclose_block<members>(block, plan);
+    for (std::size_t m = 0; m < block.functions.size(); ++m) {
+      const int f = block.functions[m];
+      const std::size_t entry = block.first_error + m;
+      double total = (std::max)(std::abs(m_block_lower[entry]), std::abs(m_block_upper[entry]));
+      for (std::size_t j = 0; j < block.axes.size(); ++j) {
+        const double slope = m_block_slopes[j * block.functions.size() + m];
+        total += std::abs(slope);
+        m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slope;
+      }
+      const double error = m_errors[entry] + internal::analysis_error * total;
+      m_rest_lower[f] += m_block_rest_lower[m] - error;
+      m_rest_upper[f] += m_block_rest_upper[m] + error;
+    }
+  });
 }
 
 // The slope along an axis is the mean of the last layer minus the mean of the first; what the linear function leaves of the control net
-// (its value at the Greville abscissae k/d subtracted) bounds the rest.
-inline void Node_view::add_block(const internal::Block& block)
+// (its value at the Greville abscissae k/d subtracted) bounds the rest. The faster axes' part of it is tabulated, the slower ones contribute a number per row.
+template <int members>
+void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
 {
-  compute_block_slopes(block);
-  const std::size_t members = block.functions.size(), axes = block.axes.size();
+  compute_slopes<members>(block);
+  const std::size_t functions = block.functions.size();
+  const double *data = m_coefficients + block.offset, *line = m_work.data();
+  tabulate<members>(block, plan, m_work.data());
+  std::fill_n(m_index.begin(), plan.slow_axes, 0);
+  const auto base = [&](std::size_t row) {
+    for (std::size_t j = plan.slow_axes; row > 0 && j-- > 0;) {   // odometer over the slower axes
+      if (++m_index[j] <= block.degrees[j])
+        break;
+      m_index[j] = 0;
+    }
+    const double* greville = m_greville.data() + plan.greville;
+    std::fill_n(m_base.begin(), functions, 0.0);
+    for (std::size_t j = 0; j < plan.slow_axes; ++j) {
+      for (std::size_t m = 0; m < functions; ++m)
+        m_base[m] += m_block_slopes[j * functions + m] * greville[m_index[j]];
+      greville += block.degrees[j] + 1;
+    }
+    return static_cast<const double*>(m_base.data());
+  };
+  const auto rest = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {
+    return internal::load(type, data + begin + i) - internal::load(type, line + i);
+  };
+  internal::bound_ranges<members>(functions, {block.size() / plan.row, plan.row, plan.row}, rest, rest, m_block_rest_lower.data(), m_block_rest_upper.data(),
+                                  base);
+}
 
-  // The linear function on the faster axes, tabulated; the slower ones contribute one number per row.
-  const std::size_t row = block.stretch(block.size());
-  const std::size_t slow = static_cast<std::size_t>(std::find(block.lengths.begin(), block.lengths.end(), row) - block.lengths.begin());
-  double *line = m_work.data(), *least = line + row, *most = least + row, *rest_least = most + row, *rest_most = rest_least + row;
-  std::fill_n(line, members, 0.0);
-  for (std::size_t j = axes; j-- > slow;) {
-    const std::size_t length = block.lengths[j + 1];
-    for (int k = block.degrees[j]; k >= 0; --k)
-      for (std::size_t i = 0; i < length; ++i)
-        line[k * length + i] = line[i] + linear_part(block, j, i % members, k);
-  }
-  std::fill_n(least, row, HUGE_VAL);
-  std::fill_n(most, row, -HUGE_VAL);
-  std::fill_n(rest_least, row, HUGE_VAL);
-  std::fill_n(rest_most, row, -HUGE_VAL);
-
-  const double* data = m_coefficients + block.offset;
-  std::fill_n(m_index.begin(), axes, 0);
-  for (std::size_t r = 0; r < block.size() / row; ++r, data += row) {
-    if (r > 0)   // odometer over the slower axes; their part of the linear function moves into the table
-      for (std::size_t j = slow; j-- > 0;) {
-        if (++m_index[j] <= block.degrees[j])
-          break;
-        m_index[j] = 0;
+// The same where there is nothing to tabulate.
+inline void Node_view::enclose_line(const internal::Block& block, const Plan& plan)
+{
+  const std::size_t functions = block.functions.size(), count = block.points;
+  const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
+  internal::for_each_place(functions, [&](auto type, std::size_t m) {
+    decltype(type) least = internal::load(type, data + m), most = least;
+    if (count > 1) {
+      const decltype(type) slope = internal::load(type, data + (count - 1) * functions + m) - least;
+      internal::store(m_block_slopes.data() + m, slope);
+      least = least - slope * greville[0];
+      most = least;
+      for (std::size_t k = 1; k < count; ++k) {
+        const decltype(type) rest = internal::load(type, data + k * functions + m) - slope * greville[k];
+        least = internal::lesser(least, rest);
+        most = internal::greater(most, rest);
       }
-    for (std::size_t m = 0; m < members; ++m) {
-      m_base[m] = 0;
-      for (std::size_t j = 0; j < slow; ++j)
-        m_base[m] += linear_part(block, j, m, m_index[j]);
-    }
-    bound_row(data, line, members, row, least, most, rest_least, rest_most);
-  }
-
-  for (std::size_t m = 0; m < members; ++m) {
-    for (std::size_t i = m + members; i < row; i += members) {
-      least[m] = (std::min)(least[m], least[i]);
-      most[m] = (std::max)(most[m], most[i]);
-      rest_least[m] = (std::min)(rest_least[m], rest_least[i]);
-      rest_most[m] = (std::max)(rest_most[m], rest_most[i]);
-    }
-    const int f = block.functions[m];
-    const double error = m_errors[block.first_error + m];
-    double total = (std::max)(std::abs(least[m]), std::abs(most[m]));
-    const double hull_error = error + internal::analysis_error * total;
-    for (std::size_t j = 0; j < axes; ++j) {
-      const double slope = m_block_slopes[j * members + m];
-      total += std::abs(slope);
-      m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slope;
-    }
-    const double rest_error = error + internal::analysis_error * total;
-    m_block_lower[block.first_error + m] = least[m] - hull_error;
-    m_block_upper[block.first_error + m] = most[m] + hull_error;
-    m_hull_lower[f] += least[m] - hull_error;
-    m_hull_upper[f] += most[m] + hull_error;
-    m_rest_lower[f] += rest_least[m] - rest_error;
-    m_rest_upper[f] += rest_most[m] + rest_error;
-  }
+    } else if (!block.axes.empty())
+      internal::store(m_block_slopes.data() + m, decltype(type)(0.0));
+    internal::store(m_block_rest_lower.data() + m, least);
+    internal::store(m_block_rest_upper.data() + m, most);
+  });
 }
 
 // Sums over the slowest axis are taken once and serve all faster ones.
-inline void Node_view::compute_block_slopes(const internal::Block& block)
+template <int members>
+void Node_view::compute_slopes(const internal::Block& block)
 {
-  const std::size_t members = block.functions.size(), axes = block.axes.size();
-  std::fill_n(m_block_slopes.begin(), axes * members, 0.0);
+  const std::size_t functions = block.functions.size(), axes = block.axes.size();
   const double* data = m_coefficients + block.offset;
   double points = 1;   // summed into each entry of `data`
   for (std::size_t j = 0; j < axes; ++j) {
-    const std::size_t inner = block.lengths[j + 1], last = inner * block.degrees[j];
-    double* slope = m_block_slopes.data() + j * members;
-    if (last > 0) {
-      const std::size_t stretch = block.stretch(inner);
-      double* sum = m_work.data() + block.size();
-      std::fill_n(sum, stretch, 0.0);
-      for (std::size_t i = 0; i < inner; i += stretch)
-        for (std::size_t k = 0; k < stretch; ++k)
-          sum[k] += data[last + i + k] - data[i + k];
-      for (std::size_t k = 0; k < stretch; k += members)
-        for (std::size_t m = 0; m < members; ++m)
-          slope[m] += sum[k + m];
-      const double scale = static_cast<double>(members) / (points * static_cast<double>(inner));
-      for (std::size_t m = 0; m < members; ++m)
-        slope[m] *= scale;
-    }
+    const std::size_t inner = block.lengths[j + 1];
+    const double* last = data + inner * block.degrees[j];
+    double* slope = m_block_slopes.data() + j * functions;
+    internal::sum_range<members>(
+      functions, inner, [&](auto type, std::size_t i) -> decltype(type) { return internal::load(type, last + i) - internal::load(type, data + i); }, slope);
+    const double scale = static_cast<double>(functions) / (points * static_cast<double>(inner));
+    for (std::size_t m = 0; m < functions; ++m)
+      slope[m] *= scale;
     if (j + 1 < axes) {
-      double* total = m_work.data();
-      for (std::size_t i = 0; i < inner; ++i)
-        total[i] = data[i];
-      for (std::size_t k = inner; k <= last; k += inner)
-        for (std::size_t i = 0; i < inner; ++i)
-          total[i] += data[k + i];
-      data = total;
+      internal::sum_over_axis(data, static_cast<std::size_t>(block.degrees[j]) + 1, inner, m_work.data());
+      data = m_work.data();
       points *= block.degrees[j] + 1;
     }
   }
 }
 
-inline void Node_view::bound_row(const double* __restrict data, const double* __restrict line, std::size_t members,
-                                 std::size_t row, double* __restrict least, double* __restrict most,
-                                 double* __restrict rest_least, double* __restrict rest_most)
+// The linear function on the faster axes.
+template <int members>
+void Node_view::tabulate(const internal::Block& block, const Plan& plan, double* line)
 {
-  const auto widen = [&](std::size_t i, double base) {
-    const double value = data[i], rest = value - (line[i] + base);
-    least[i] = value < least[i] ? value : least[i];
-    most[i] = value > most[i] ? value : most[i];
-    rest_least[i] = rest < rest_least[i] ? rest : rest_least[i];
-    rest_most[i] = rest > rest_most[i] ? rest : rest_most[i];
-  };
-  if (members == 1) {
-    const double base = m_base[0];
-    for (std::size_t i = 0; i < row; ++i)
-      widen(i, base);
-  } else
-    for (std::size_t i = 0; i < row; i += members)
-      for (std::size_t m = 0; m < members; ++m)
-        widen(i + m, m_base[m]);
-}
-
-inline void Node_view::compute_derivatives()
-{
-  if (m_has_derivatives)
-    return;
-  compute_affine();
-  m_has_derivatives = true;
-  std::fill(m_derivative_lower.begin(), m_derivative_lower.end(), 0.0);
-  std::fill(m_derivative_upper.begin(), m_derivative_upper.end(), 0.0);
-  for (const internal::Block& block : m_layout->blocks)
-    for (std::size_t j = 0; j < block.axes.size(); ++j)
-      if (block.degrees[j] > 0)
-        add_differences(block, j);
-}
-
-// Differences along an axis: where one step along it fills a vector, over pieces of such steps; else over whole lines, leaving out the differences that
-// reach from one line into the next.
-inline void Node_view::add_differences(const internal::Block& block, std::size_t axis)
-{
-  const std::size_t members = block.functions.size(), inner = block.lengths[axis + 1], line = block.lengths[axis];
-  const double* data = m_coefficients + block.offset;
-  const bool is_long = inner >= 16;
-  const std::size_t stretch = is_long ? block.stretch(inner) : (std::max)(line, block.stretch(block.size()));
-  double *lower = m_work.data(), *upper = lower + stretch;
-  std::fill_n(lower, stretch, HUGE_VAL);
-  std::fill_n(upper, stretch, -HUGE_VAL);
-  if (is_long)
-    for (std::size_t o = 0; o < block.size(); o += line)
-      for (std::size_t i = o; i < o + line - inner; i += stretch)
-        internal::widen_by_differences(data + i, inner, lower, upper, stretch);
-  else
-    for (std::size_t o = 0; o < block.size(); o += stretch)
-      internal::widen_by_differences(data + o, inner, lower, upper, stretch - inner);
-
-  for (std::size_t m = 0; m < members; ++m) {
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (std::size_t i = m; i < stretch; i += members)
-      if (is_long || i % line < line - inner) {
-        least = (std::min)(least, lower[i]);
-        most = (std::max)(most, upper[i]);
-      }
-    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis];
-    const double size = (std::max)(std::abs(m_block_lower[block.first_error + m]), std::abs(m_block_upper[block.first_error + m]));
-    const double error = 2 * m_errors[block.first_error + m] + internal::analysis_error * size;
-    m_derivative_lower[entry] += block.degrees[axis] * (least - error);
-    m_derivative_upper[entry] += block.degrees[axis] * (most + error);
+  const std::size_t functions = block.functions.size();
+  const double* greville = m_greville.data() + plan.greville;
+  for (std::size_t j = 0; j < block.axes.size(); ++j)
+    greville += block.degrees[j] + 1;
+  std::fill_n(line, functions, 0.0);
+  for (std::size_t j = block.axes.size(); j-- > plan.slow_axes;) {
+    greville -= block.degrees[j] + 1;
+    const double* slope = m_block_slopes.data() + j * functions;
+    for (int k = block.degrees[j]; k >= 0; --k)
+      internal::add_repeated<members>(functions, block.lengths[j + 1], line, slope, greville[k], line + k * block.lengths[j + 1]);
   }
 }
 
-// Bounds over the slowest axis are taken once and serve all faster ones.
+inline void Node_view::bound_derivatives()
+{
+  compute_bounds();
+  m_has_derivatives = true;
+  std::fill(m_derivative_lower.begin(), m_derivative_lower.end(), 0.0);
+  std::fill(m_derivative_upper.begin(), m_derivative_upper.end(), 0.0);
+  visit_blocks([&](const internal::Block& block, const Plan&, auto members) {
+    for (std::size_t j = 0; j < block.axes.size(); ++j)
+      if (block.degrees[j] > 0)
+        bound_differences<members>(block, j);
+  });
+}
+
+template <int members>
+void Node_view::bound_differences(const internal::Block& block, std::size_t axis)
+{
+  const std::size_t functions = block.functions.size(), inner = block.lengths[axis + 1], line = block.lengths[axis];
+  const double* data = m_coefficients + block.offset;
+  double *lower = m_block_rest_lower.data(), *upper = m_block_rest_upper.data();
+  const auto difference = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {
+    return internal::load(type, data + begin + inner + i) - internal::load(type, data + begin + i);
+  };
+  internal::bound_ranges<members>(functions, {block.size() / line, line, line - inner}, difference, difference, lower, upper);
+  for (std::size_t m = 0; m < functions; ++m) {
+    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis];
+    const double size = (std::max)(std::abs(m_block_lower[block.first_error + m]), std::abs(m_block_upper[block.first_error + m]));
+    const double error = 2 * m_errors[block.first_error + m] + internal::analysis_error * size;
+    m_derivative_lower[entry] += block.degrees[axis] * (lower[m] - error);
+    m_derivative_upper[entry] += block.degrees[axis] * (upper[m] + error);
+  }
+}
+
+// Bounds over the slower axes are taken once and serve all faster ones.
 template <class Visitor>
 void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
 {
-  const std::size_t members = block.functions.size();
+  compute_bounds();
+  const std::size_t functions = block.functions.size(), axes = block.axes.size();
   const double *lower = m_coefficients + block.offset, *upper = lower;
-  double* work = m_work.data() + 2 * block.size();
-  for (std::size_t j = 0; j < block.axes.size(); ++j) {
-    const std::size_t inner = block.lengths[j + 1], stretch = block.stretch(inner);
-    const int degree = block.degrees[j];
-    for (int k = 0; k <= degree; ++k)
-      internal::bound_functions(lower + k * inner, upper + k * inner, inner, stretch, members, work,
-                                m_layer_lower.data() + k * members, m_layer_upper.data() + k * members);
-    visit(j, m_layer_lower.data(), m_layer_upper.data());
-    if (j + 1 == block.axes.size())
-      break;
-    double *all_lower = m_work.data(), *all_upper = all_lower + block.size();
-    if (j == 0 || degree > 0) {
-      for (std::size_t i = 0; i < inner; ++i) {
-        all_lower[i] = lower[i];
-        all_upper[i] = upper[i];
-      }
-      for (int k = 1; k <= degree; ++k)
-        internal::widen(lower + k * inner, upper + k * inner, all_lower, all_upper, inner);
+  for (std::size_t j = 0; j < axes; ++j) {
+    const std::size_t inner = block.lengths[j + 1], count = static_cast<std::size_t>(block.degrees[j]) + 1;
+    if (inner == functions)
+      visit(j, lower, upper);
+    else {
+      internal::run_with_constant<6>(functions, [&](auto members) {
+        for (std::size_t k = 0; k < count; ++k)
+          internal::bound_ranges<members>(
+            functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, lower + k * inner + i); },
+            [&](auto type, std::size_t, std::size_t i) { return internal::load(type, upper + k * inner + i); }, m_layer_lower.data() + k * functions,
+            m_layer_upper.data() + k * functions);
+      });
+      visit(j, static_cast<const double*>(m_layer_lower.data()), static_cast<const double*>(m_layer_upper.data()));
     }
-    lower = all_lower;
-    upper = all_upper;
+    if (j + 1 == axes)
+      break;
+    if (j == 0) {
+      const std::size_t place = m_plans[static_cast<std::size_t>(&block - m_layout->blocks.data())].over_first;
+      lower = m_least_over_first.data() + place;
+      upper = m_most_over_first.data() + place;
+    } else {
+      double *least = m_work.data(), *most = least + inner_size(block);
+      internal::bound_over_axis(lower, upper, count, inner, least, most);
+      lower = least;
+      upper = most;
+    }
   }
 }
 

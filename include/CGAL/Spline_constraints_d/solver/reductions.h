@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -47,9 +49,10 @@ public:
   {
     for (const internal::Block& block : node.layout().blocks)
       if (!block.functions.empty() && block.functions.front() < node.equalities()) {
+        add_other_blocks(node, block);
         bool is_left = true;
         node.visit_layers(block, [&](std::size_t j, const double* lower, const double* upper) {
-          is_left = is_left && contract_axis(node, block, j, lower, upper, box);
+          is_left = is_left && contract_axis(block, j, lower, upper, box);
         });
         if (!is_left)
           return false;
@@ -59,9 +62,23 @@ public:
 
 private:
   const double *m_lower = nullptr, *m_upper = nullptr;
+  std::vector<std::pair<double, double>> m_others;   // per equality of a block
 
-  bool contract_axis(Node_view& node, const internal::Block& block, std::size_t axis, const double* lower, const double* upper,
-                     Local_box& box)
+  // The other blocks of a function add their whole range to every layer.
+  void add_other_blocks(Node_view& node, const internal::Block& block)
+  {
+    m_others.clear();
+    for (std::size_t m = 0; m < block.functions.size() && block.functions[m] < node.equalities(); ++m) {
+      const int f = block.functions[m];
+      const std::size_t entry = block.first_error + m;
+      const double lower = node.lower(f), upper = node.upper(f), block_lower = node.block_lower(entry), block_upper = node.block_upper(entry);
+      const double size = std::abs(lower) + std::abs(upper) + std::abs(block_lower) + std::abs(block_upper);
+      const double slack = node.errors()[entry] + internal::analysis_error * size;
+      m_others.emplace_back(lower - block_lower - slack, upper - block_upper + slack);
+    }
+  }
+
+  bool contract_axis(const internal::Block& block, std::size_t axis, const double* lower, const double* upper, Local_box& box)
   {
     const std::size_t members = block.functions.size();
     const int degree = block.degrees[axis];
@@ -69,19 +86,14 @@ private:
     m_upper = upper;
     if (degree == 0)
       return true;
-    for (std::size_t m = 0; m < members && block.functions[m] < node.equalities(); ++m) {
-      // The other blocks of the function add their whole range to every layer.
-      const int f = block.functions[m];
-      const std::size_t entry = block.first_error + m;
-      const double size = std::abs(node.lower(f)) + std::abs(node.upper(f)) + std::abs(node.block_lower(entry)) +
-                          std::abs(node.block_upper(entry));
-      const double slack = node.errors()[entry] + internal::analysis_error * size;
-      const double add_lower = node.lower(f) - node.block_lower(entry) - slack;
-      const double add_upper = node.upper(f) - node.block_upper(entry) + slack;
+    for (std::size_t m = 0; m < m_others.size(); ++m) {
+      const auto [add_lower, add_upper] = m_others[m];
       const double first = crossing(degree, members, m, add_lower, add_upper, false);
       if (first > 1)
         return false;
       const double last = 1 - crossing(degree, members, m, add_lower, add_upper, true);
+      if (first == 0 && last == 1)
+        continue;
       const double rounding = 0x1p-40;
       if (!box.intersect(block.axes[axis], first - rounding - 0.5, last + rounding - 0.5))
         return false;
@@ -104,14 +116,18 @@ private:
       ++reaching;
     if (reaching > degree)
       return 2;
-    double best = 1;
+    double best = degree;
     for (int i = 0; i < reaching; ++i) {
       const double a = distance(i);
       for (int k = reaching; k <= degree; ++k)
-        if (const double b = distance(k); b <= 0)
-          best = (std::min)(best, (i + (k - i) * (a / (a - b))) / degree);
+        if (const double b = distance(k); b <= 0) {
+          const double drop = a - b;
+          if (0x1p-900 < drop && drop < 0x1p900 && (k - i) * a >= (best - i) * drop)
+            continue;   // no better, up to a few roundings, as is found without a division
+          best = (std::min)(best, i + (k - i) * (a / drop));
+        }
     }
-    return best;
+    return best / degree;
   }
 };
 
@@ -122,7 +138,8 @@ The default reduction: the equations' own affine enclosures, the projected polyh
 
 The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
 and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks and, by counted
-operations, that costs no more than a split. A second sweep follows while the linear rows still gain, since it is cheap beside a pass.
+operations, that costs no more than a split. A second sweep over the linear rows follows where
+anything was gained, since it is cheap beside a pass.
 
 \cgalModels{Reduction}
 */
@@ -141,10 +158,20 @@ public:
       return false;
     if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && m_dense.is_cheap() && !contract_dense(node, linear, box))
       return false;
+    if (is_whole(box))
+      return true;   // nothing gained, and nothing to gain from the same rows again
     return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
   }
 
 private:
+  static bool is_whole(const Local_box& box)
+  {
+    for (int j = 0; j < box.dimension(); ++j)
+      if (box.lower[j] != -0.5 || box.upper[j] != 0.5)
+        return false;
+    return true;
+  }
+
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)
   {
     Node_view* preconditioned = m_dense.apply(node);

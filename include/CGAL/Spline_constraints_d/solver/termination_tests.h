@@ -28,11 +28,12 @@ inline double contraction_bound(Node_view& node, const Linear_enclosure& linear,
     return HUGE_VAL;
   const int n = node.dimension();
   bounds.resize(n * n);
+  const double *lower = node.derivative_lower(0), *upper = node.derivative_upper(0);
   double largest = 0;
   for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
     const double sum = internal::contraction_row(
-      n, node.equalities(), j, linear.inverse_row(j), [&](int i, int k) { return node.derivative_lower(i)[k]; },
-      [&](int i, int k) { return node.derivative_upper(i)[k]; }, bounds.data() + j * n);
+      n, node.equalities(), j, linear.inverse_row(j), [&](int i, int k) { return lower[i * n + k]; },
+      [&](int i, int k) { return upper[i * n + k]; }, bounds.data() + j * n);
     largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
   }
   return largest;

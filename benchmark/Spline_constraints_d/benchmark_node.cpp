@@ -1,0 +1,423 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The steps of one node of the subdivision beside what the machine could do.
+//
+// Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the two equations of
+// C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many numbers in the same kind of memory, which do nothing but the
+// loads, stores, additions, products and comparisons that the step cannot do without. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
+// roofline, medians over the iterations; and their ratio. (The column of times is that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
+//
+// split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
+// restrict     to a part, along each axis in turn (per axis): two cuts
+// bounds       least and largest control point per function
+// linear       bounds, slopes and the bounds of what the linear part leaves
+// precondition the linear rows: elimination and products, once linear is there
+// reduction    linear, precondition and the contraction with the layers of control points
+// dense        the control points of C f
+// derivatives  bounds, and the bounds of all partial derivatives
+// image        linear, precondition, derivatives and the contraction bound
+
+#include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Dense_preconditioner.h>
+#include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/reductions.h>
+#include <CGAL/Spline_constraints_d/solver/termination_tests.h>
+
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using SC::internal::Block;
+using SC::internal::System_layout;
+
+using Node = SC::internal::Box_node<double>;
+
+// Blocks with as many functions as unknowns.
+System_layout make_layout(int unknowns, const std::vector<std::vector<int>>& axes_of_blocks, int degree)
+{
+  System_layout layout;
+  layout.dimension = layout.equalities = layout.functions = unknowns;
+  for (const auto& axes : axes_of_blocks) {
+    Block& block = layout.blocks.emplace_back();
+    block.axes = axes;
+    block.degrees.assign(axes.size(), degree);
+    block.functions.resize(unknowns);
+    std::iota(block.functions.begin(), block.functions.end(), 0);
+    for (std::size_t j = 0; j < axes.size(); ++j)
+      block.points *= static_cast<std::size_t>(degree) + 1;
+  }
+  layout.place_blocks();
+  return layout;
+}
+
+System_layout make_dense(int unknowns, int degree)
+{
+  std::vector<int> axes(unknowns);
+  std::iota(axes.begin(), axes.end(), 0);
+  return make_layout(unknowns, {axes}, degree);
+}
+
+System_layout make_curves(int degree) { return make_layout(2, {{0}, {1}}, degree); }
+
+// A node with a root near its centre: f_i is near s_i + 0.3 s_{i+1}, so that no test ends early and there is an inverse.
+Node make_node(const System_layout& layout)
+{
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> noise(-0.01, 0.01);
+  Node node;
+  node.allocate(layout);
+  for (const Block& block : layout.blocks)
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const std::size_t members = block.functions.size();
+      const int f = block.functions[i % members];
+      double value = noise(engine);
+      for (std::size_t j = 0; j < block.axes.size(); ++j) {
+        const double s = static_cast<double>(i % block.lengths[j] / block.lengths[j + 1]) / block.degrees[j] - 0.5;
+        value += block.axes[j] == f ? s : block.axes[j] == (f + 1) % layout.dimension ? 0.3 * s : 0;
+      }
+      node.coefficients[block.offset + i] = value;
+    }
+  std::fill(node.errors.begin(), node.errors.end(), 0x1p-50);
+  std::fill(node.sizes.begin(), node.sizes.end(), 2.0);
+  return node;
+}
+
+void reset_box(Node& node)
+{
+  std::fill(node.lower.begin(), node.lower.end(), 0.0);
+  std::fill(node.upper.begin(), node.upper.end(), 1.0);
+}
+
+/*
+The rooflines. Eight numbers are taken at a time, enough to keep the arithmetic units busy.
+*/
+class Roofline
+{
+  static constexpr int width = 8;
+  using Numbers = Eigen::Array<double, width, 1>;
+
+  std::vector<double> m_first, m_second, m_third;
+
+public:
+  explicit Roofline(std::size_t size)
+    : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125)
+  {}
+
+  // second <- (first + second) / 2, in rows of the whole length.
+  void means(std::size_t count)
+  {
+    for (; count > 0; count -= (std::min)(count, m_first.size())) {
+      const std::size_t size = (std::min)(count, m_first.size());
+      const double* __restrict a = m_first.data();
+      double* __restrict b = m_second.data();
+      for (std::size_t i = 0; i < size; ++i)
+        b[i] = (a[i] + b[i]) * 0.5;
+      benchmark::ClobberMemory();
+    }
+  }
+
+  // second <- s first + t second.
+  void blends(std::size_t count)
+  {
+    const double s = m_third[0], t = 1 - s;
+    for (; count > 0; count -= (std::min)(count, m_first.size())) {
+      const std::size_t size = (std::min)(count, m_first.size());
+      const double* __restrict a = m_first.data();
+      double* __restrict b = m_second.data();
+      for (std::size_t i = 0; i < size; ++i)
+        b[i] = s * a[i] + t * b[i];
+      benchmark::ClobberMemory();
+    }
+  }
+
+  void copy(std::size_t size)
+  {
+    std::copy_n(m_first.data(), size, m_third.data());
+    benchmark::ClobberMemory();
+  }
+
+  void bound(std::size_t size) const
+  {
+    accumulate(size, [](const Numbers& x, const double*, Numbers& least, Numbers& most, Numbers&) {
+      least = least.min(x);
+      most = most.max(x);
+    });
+  }
+
+  void bound_differences(std::size_t size) const
+  {
+    accumulate(size, [](const Numbers& x, const double* second, Numbers& least, Numbers& most, Numbers&) {
+      const Numbers difference = x - Eigen::Map<const Numbers>(second);
+      least = least.min(difference);
+      most = most.max(difference);
+    });
+  }
+
+  void sum(std::size_t size) const
+  {
+    accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
+  }
+
+private:
+  template <class Step>
+  void accumulate(std::size_t size, const Step& step) const
+  {
+    const double *first = m_first.data(), *second = m_second.data();
+    Numbers least = Numbers::Constant(1), most = Numbers::Constant(-1), total = Numbers::Zero();
+    for (std::size_t i = 0; i < size; i += width) {
+      const Numbers x = Eigen::Map<const Numbers>(first + i);
+      step(x, second + i, least, most, total);
+    }
+    benchmark::DoNotOptimize(least);
+    benchmark::DoNotOptimize(most);
+    benchmark::DoNotOptimize(total);
+  }
+};
+
+double seconds_of_thread()
+{
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double median(std::vector<double>& values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Times both in turns, many calls at a time; `calls` is how many steps one call does.
+template <class Step, class Plain>
+void compare(benchmark::State& state, std::size_t coefficients, int calls, const Step& step, const Plain& plain)
+{
+  const int batch = static_cast<int>((std::max)(std::size_t(1), 40000 / (coefficients * calls)));
+  const auto time = [&](const auto& function) {
+    const double start = seconds_of_thread();
+    for (int i = 0; i < batch; ++i)
+      function();
+    return (seconds_of_thread() - start) / batch / calls;
+  };
+  step();
+  plain();
+  std::vector<double> times, roofline;
+  for (auto _ : state) {
+    times.push_back(time(step));
+    roofline.push_back(time(plain));
+    state.SetIterationTime(times.back() * batch * calls);
+  }
+  const double scale = 1e9 / static_cast<double>(coefficients), measured = median(times) * scale, least = median(roofline) * scale;
+  state.counters["coefficients"] = static_cast<double>(coefficients);
+  state.counters["ns_per_coefficient"] = measured;
+  state.counters["roofline_ns"] = least;
+  state.counters["ratio"] = measured / least;
+}
+
+// A node with all that looks at it.
+struct Fixture
+{
+  System_layout layout;
+  int degree, n;
+  std::size_t size;
+  Node node = make_node(layout), above = node;
+  SC::Node_view view{layout};
+  SC::Linear_enclosure linear{layout.dimension, layout.equalities};
+  SC::Preconditioned_reduction reduction;
+  SC::Local_box box;
+  std::vector<double> bounds;
+  Roofline roofline{layout.size};
+
+  Fixture(const System_layout& given_layout, int given_degree)
+    : layout(given_layout), degree(given_degree), n(layout.dimension), size(layout.size)
+  {
+    reset_box(node);
+  }
+
+  bool is_dense() const { return layout.blocks.size() == 1; }
+  // Coefficients that one axis concerns.
+  std::size_t share() const { return size / layout.blocks.size(); }
+
+  void forget() { view.reset(node.coefficients.data(), node.errors.data()); }
+
+  // Rooflines.
+  void plain_linear()
+  {
+    roofline.bound(size);
+    if (is_dense())
+      roofline.sum((std::min)(size, 2 * n * size / (degree + 1)));
+    else
+      roofline.sum(2 * n * layout.blocks.size());
+    roofline.bound_differences(size);
+  }
+  void plain_derivatives()
+  {
+    for (int j = 0; j < n; ++j)
+      roofline.bound_differences(share());
+  }
+};
+
+void split(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    for (int j = 0; j < f.n; ++j)
+      f.node.split(f.layout, j, 0.5, f.above);
+    reset_box(f.node);
+  };
+  compare(state, f.size, f.n, step, [&] {
+    for (int j = 0; j < f.n; ++j) {
+      f.roofline.means(f.share() * degree / 2);
+      f.roofline.copy(f.size);
+    }
+  });
+}
+
+void restrict(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    for (int j = 0; j < f.n; ++j)
+      f.node.restrict_axis(f.layout, j, 0.25, 0.75);
+    reset_box(f.node);
+  };
+  compare(state, f.size, f.n, step, [&] {
+    for (int j = 0; j < f.n; ++j)
+      f.roofline.blends(f.share() * degree);
+  });
+}
+
+void bounds(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    f.forget();
+    benchmark::DoNotOptimize(f.view.lower(0));
+  };
+  compare(state, f.size, 1, step, [&] { f.roofline.bound(f.size); });
+}
+
+void linear(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    f.forget();
+    benchmark::DoNotOptimize(f.view.slopes(0));
+  };
+  compare(state, f.size, 1, step, [&] { f.plain_linear(); });
+}
+
+// About 2 n^3 multiply-adds to eliminate and n^3 for the products.
+void precondition(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  f.forget();
+  f.view.slopes(0);
+  const auto step = [&] {
+    f.linear.precondition(f.view);
+    benchmark::DoNotOptimize(f.linear.reach(0));
+  };
+  compare(state, f.size, 1, step, [&] { f.roofline.blends(3 * f.n * f.n * f.n / 2); });
+}
+
+void reduction(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    f.forget();
+    f.linear.precondition(f.view);
+    f.box.reset(f.n);
+    benchmark::DoNotOptimize(f.reduction.contract(f.view, f.linear, f.box));
+  };
+  compare(state, f.size, 1, step, [&] {
+    f.plain_linear();
+    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    if (f.is_dense())
+      f.roofline.bound(f.size);   // layers along the first axis come with the bounds; those along all others
+  });
+}
+
+void dense(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  SC::internal::Dense_preconditioner preconditioner;
+  if (!preconditioner.is_applicable(f.layout)) {
+    state.SkipWithError("not applicable");
+    return;
+  }
+  f.forget();
+  f.view.slopes(0);
+  compare(state, f.size, 1, [&] { benchmark::DoNotOptimize(preconditioner.apply(f.view)); },
+          [&] { f.roofline.blends(f.size * f.n / 2); });
+}
+
+void derivatives(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    f.forget();
+    benchmark::DoNotOptimize(f.view.derivative_lower(0));
+  };
+  compare(state, f.size, 1, step, [&] {
+    f.roofline.bound(f.size);
+    f.plain_derivatives();
+  });
+}
+
+void image(benchmark::State& state, const System_layout& layout, int degree)
+{
+  Fixture f(layout, degree);
+  const auto step = [&] {
+    f.forget();
+    f.linear.precondition(f.view);
+    benchmark::DoNotOptimize(SC::contraction_bound(f.view, f.linear, f.bounds));
+  };
+  compare(state, f.size, 1, step, [&] {
+    f.plain_linear();
+    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    f.plain_derivatives();
+  });
+}
+
+using Run = void (*)(benchmark::State&, const System_layout&, int);
+
+void add(const std::string& name, Run run, const System_layout& layout, int degree)
+{
+  benchmark::RegisterBenchmark((name + '/' + std::to_string(layout.dimension) + '/' + std::to_string(degree)).c_str(), run, layout, degree)
+    ->UseManualTime()
+    ->Unit(benchmark::kNanosecond);
+}
+
+bool add_all()
+{
+  const std::vector<std::pair<std::string, Run>> steps{{"split", split}, {"restrict", restrict}, {"bounds", bounds}, {"linear", linear},
+                                                       {"precondition", precondition}, {"reduction", reduction}, {"dense", dense},
+                                                       {"derivatives", derivatives}, {"image", image}};
+  for (const auto& [name, run] : steps) {
+    for (int n : {2, 3, 4})
+      for (int degree = 2; degree <= 10; ++degree)
+        add(name + "/dense", run, make_dense(n, degree), degree);
+    for (int degree = 2; degree <= 10; ++degree)
+      add(name + "/curves", run, make_curves(degree), degree);
+  }
+  return true;
+}
+
+[[maybe_unused]] const bool is_added = add_all();
+
+} // namespace
