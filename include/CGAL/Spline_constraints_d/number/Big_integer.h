@@ -69,6 +69,42 @@ Big_integer denominator_of_rational(const Rational& value)
 inline Big_integer numerator_of(const Exact_rational& value) { return numerator_of_rational(value); }
 inline Big_integer denominator_of(const Exact_rational& value) { return denominator_of_rational(value); }
 
+// Rationals that show their GMP number need no copies here.
+template <class Rational>
+void extend_common_denominator_of_rational(Big_integer& common, const Rational& value)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    mpz_srcptr denominator = mpq_denref(mpq_of(value));
+    if (!mpz_divisible_p(common.backend().data(), denominator))
+      mpz_lcm(common.backend().data(), common.backend().data(), denominator);
+  } else
+    common = lcm(common, denominator_of_rational(value));
+}
+
+template <class Rational>
+Big_integer numerator_of_rational_over(const Rational& value, const Big_integer& common)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    Big_integer result;
+    mpz_ptr target = result.backend().data();
+    mpz_srcptr numerator = mpq_numref(mpq_of(value)), denominator = mpq_denref(mpq_of(value));
+    if (mpz_cmp(common.backend().data(), denominator) == 0)
+      mpz_set(target, numerator);
+    else {
+      mpz_divexact(target, common.backend().data(), denominator);
+      mpz_mul(target, target, numerator);
+    }
+    return result;
+  } else
+    return numerator_of_rational(value) * (common / denominator_of_rational(value));
+}
+
+// The least common multiple of `common` and the denominator of a rational takes the place of `common`.
+inline void extend_common_denominator(Big_integer& common, const Exact_rational& value) { extend_common_denominator_of_rational(common, value); }
+
+// value * common, an integer. \pre the denominator of the rational divides `common`
+inline Big_integer numerator_over(const Exact_rational& value, const Big_integer& common) { return numerator_of_rational_over(value, common); }
+
 inline void shift_left(Big_integer& value, unsigned long bits)
 {
   if (bits != 0)
@@ -136,6 +172,14 @@ Rational scaled_rational(const Big_integer& value, long exponent)
     }
     return (value < 0 ? Rational(-result) : result) * power_of_two(exponent);
   }
+}
+
+// numerator / denominator, exactly. \pre denominator > 0
+inline Exact_rational quotient(const Big_integer& numerator, const Big_integer& denominator)
+{
+  if (mpz_popcount(denominator.backend().data()) == 1)
+    return scaled_rational(numerator, 1 - bit_length(denominator));
+  return scaled_rational(numerator, 0) / scaled_rational(denominator, 0);
 }
 
 // A dyadic number as mantissa 2^exponent.

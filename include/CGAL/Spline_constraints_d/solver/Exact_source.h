@@ -195,7 +195,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
   for (const Spline_term& term : function.terms())
     for (const auto& coefficients : term.pieces)
       for (const Exact_rational& coefficient : coefficients)
-        denominator = lcm(denominator, denominator_of(coefficient));
+        extend_common_denominator(denominator, coefficient);
 
   for (const Spline_term& term : function.terms()) {
     Term result;
@@ -227,7 +227,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
         std::size_t position = 0;
         for (std::size_t j = 0; j < k.size(); ++j)
           position = position * (static_cast<std::size_t>(block.degrees[j]) + 1) + k[j];
-        padded[position] = numerator_of(coefficient) * (denominator / denominator_of(coefficient));
+        padded[position] = numerator_over(coefficient, denominator);
         for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
           k[j] = 0;
       }
