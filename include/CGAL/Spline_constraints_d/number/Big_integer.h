@@ -111,6 +111,12 @@ inline void shift_left(Big_integer& value, unsigned long bits)
     mpz_mul_2exp(value.backend().data(), value.backend().data(), bits);
 }
 
+// target = value 2^bits
+inline void set_shifted(Big_integer& target, const Big_integer& value, unsigned long bits)
+{
+  mpz_mul_2exp(target.backend().data(), value.backend().data(), bits);
+}
+
 // sum += a b
 inline void add_product(Big_integer& sum, const Big_integer& a, const Big_integer& b)
 {
@@ -201,6 +207,36 @@ inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
   CGAL_precondition(mpz_popcount(denominator.backend().data()) == 1);
   return {numerator_of(value), 1 - bit_length(denominator)};
 }
+
+// A sum of dyadic numbers in the finest of their units.
+class Dyadic_sum
+{
+  Big_integer m_sum, m_shifted;
+  long m_unit = 0;
+
+public:
+  void reset()
+  {
+    m_sum = 0;
+    m_unit = 0;
+  }
+
+  // Adds value 2^exponent.
+  void add(const Big_integer& value, long exponent)
+  {
+    if (exponent < m_unit) {
+      shift_left(m_sum, static_cast<unsigned long>(m_unit - exponent));
+      m_unit = exponent;
+      m_sum += value;
+    } else {
+      set_shifted(m_shifted, value, static_cast<unsigned long>(exponent - m_unit));
+      m_sum += m_shifted;
+    }
+  }
+
+  const Big_integer& mantissa() const { return m_sum; }
+  long exponent() const { return m_unit; }
+};
 
 // Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.
 struct Common_dyadic

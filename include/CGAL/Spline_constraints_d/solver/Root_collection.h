@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 
 #include <chrono>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,6 +35,7 @@ class Root_collection
 {
   using Coordinate = typename Number_traits<NT>::Coordinate;
 
+  Approximate_refinement m_approximation;
   Root_refinement<Coordinate> m_refinement;
   Root_position<NT> m_position;
   Certified_region<Coordinate> m_region;
@@ -75,6 +77,8 @@ public:
     m_region.inverse.clear();
     for (int j = 0; j < n; ++j)
       m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);
+    if constexpr (std::is_same_v<NT, double>)
+      m_approximation.refine(source.layout(), node.coefficients.data(), m_region.inverse, m_region.start);
     if (is_first) {
       m_first_lower = node.lower;
       m_first_upper = node.upper;

@@ -66,6 +66,62 @@ inline Exact_rational below(const Exact_rational& x, double radius) { return x -
 inline Exact_rational above(const Exact_rational& x, double radius) { return x + Exact_rational(radius); }
 
 /*
+Newton's iteration in double, on the coefficients of a box: where the one with exact residuals, of which each costs more, may begin. Proves nothing.
+*/
+class Approximate_refinement
+{
+  std::vector<double> m_values, m_work;
+
+public:
+  // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
+  void refine(const System_layout& layout, const double* coefficients, const std::vector<double>& inverse, std::vector<double>& point)
+  {
+    const std::size_t n = point.size(), m = inverse.size() / n;
+    for (double last = 0.5;;) {
+      evaluate(layout, coefficients, point);
+      double largest = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        double step = 0;
+        for (std::size_t i = 0; i < m; ++i)
+          step += inverse[j * m + i] * m_values[i];
+        m_work[j] = step;
+        largest = (std::max)(largest, std::abs(step));
+      }
+      if (!(largest < 0.5 * last))
+        return;
+      for (std::size_t j = 0; j < n; ++j)
+        point[j] = (std::min)((std::max)(point[j] - m_work[j], 0.0), 1.0);
+      last = largest;
+    }
+  }
+
+private:
+  // Fills m_values, by Horner's scheme along each axis of each block.
+  void evaluate(const System_layout& layout, const double* coefficients, const std::vector<double>& point)
+  {
+    m_values.assign(layout.functions, 0);
+    for (const Block& block : layout.blocks) {
+      const double* rest = coefficients + block.offset;
+      m_work.resize((std::max)({m_work.size(), block.size(), point.size()}));
+      for (std::size_t j = 0; j < block.axes.size(); ++j, rest = m_work.data()) {
+        const int degree = block.degrees[j];
+        const std::size_t inner = block.lengths[j + 1];
+        const double u = point[block.axes[j]], v = 1 - u;
+        std::copy(rest, rest + inner, m_work.data());
+        double weight = 1;   // C(degree,k) u^k
+        for (int k = 1; k <= degree; ++k) {
+          weight *= u * (degree - k + 1) / k;
+          for (std::size_t i = 0; i < inner; ++i)
+            m_work[i] = m_work[i] * v + weight * rest[k * inner + i];
+        }
+      }
+      for (std::size_t i = 0; i < block.functions.size(); ++i)
+        m_values[block.functions[i]] += rest[i];
+    }
+  }
+};
+
+/*
 Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure follows from
 x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, e = |x* - z| satisfies |e| <= |C f(z)| / (1 - q) in the weighted maximum norm in which q bounds Q >= |I - C J|, and
 then e <= |C f(z)| + Q e axis by axis, which tells thin axes from wide ones.
