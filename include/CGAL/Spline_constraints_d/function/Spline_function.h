@@ -289,7 +289,9 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
     if (term.breaks[j].size() < 2)
       throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    const std::vector<Exact_rational> bernstein = pieces[c].elevated(term.degrees).coefficients();
+    const bool has_degrees = pieces[c].degrees() == term.degrees;
+    const std::vector<Exact_rational> elevated = has_degrees ? std::vector<Exact_rational>() : pieces[c].elevated(term.degrees).coefficients();
+    const std::vector<Exact_rational>& bernstein = has_degrees ? pieces[c].coefficients() : elevated;
     internal::Big_integer denominator(1);
     for (const Exact_rational& coefficient : bernstein)
       internal::extend_common_denominator(denominator, coefficient);

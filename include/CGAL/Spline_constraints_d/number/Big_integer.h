@@ -200,6 +200,8 @@ inline std::pair<Big_integer, long> to_dyadic(double value)
   return {Big_integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
 }
 
+inline bool is_dyadic(const Exact_rational& value) { return mpz_popcount(denominator_of(value).backend().data()) == 1; }
+
 // \pre the denominator is a power of two
 inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
 {

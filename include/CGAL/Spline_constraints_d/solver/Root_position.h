@@ -111,6 +111,11 @@ public:
     Position position = position_of(enclosure);
     if (position == Position::INSIDE || position == Position::OUTSIDE)
       return position;
+    Root_enclosure<Exact_rational> fine;
+    fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
+    fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
+    if (const auto exact = position_of_rational_root(fine); exact.first)
+      return exact.second;
     Certified_region<Exact_rational> exact_region;
     exact_region.lower.assign(region.lower.begin(), region.lower.end());
     exact_region.upper.assign(region.upper.begin(), region.upper.end());
@@ -122,19 +127,14 @@ public:
     exact_region.source = region.source;
     exact_region.matrix = region.matrix;
     Root_refinement<Exact_rational> refinement;
-    Root_enclosure<Exact_rational> fine;
-    fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
-    fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
     for (const int bits : {200, 800}) {
-      if (const auto exact = position_of_rational_root(fine); exact.first)
-        return exact.second;
       fine = refinement.refine(exact_region, bits);
       position = position_of(fine);
       if (position == Position::INSIDE || position == Position::OUTSIDE)
         return position;
+      if (const auto exact = position_of_rational_root(fine); exact.first)
+        return exact.second;
     }
-    if (const auto exact = position_of_rational_root(fine); exact.first)
-      return exact.second;
     m_values = rational_coordinates(m_system, exact_region, fine);
     return position_of(fine);
   }
@@ -200,19 +200,42 @@ private:
     return simplest_rational_between(lower, upper);
   }
 
-  std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure) const
+  // The sign of a function at a point: in integers where the coordinates are dyadic.
+  class Signs_at_point
+  {
+    const Constraint_system_d& m_system;
+    const std::vector<Exact_rational>& m_point;
+    std::vector<Exact_source::Value> m_values;
+
+  public:
+    Signs_at_point(const Constraint_system_d& system, Exact_source& source, const std::vector<Exact_rational>& point)
+      : m_system(system), m_point(point)
+    {
+      const std::span<const Exact_rational> coordinates(point);
+      if (std::all_of(point.begin(), point.end(), [](const Exact_rational& x) { return is_dyadic(x); }))
+        source.evaluate(source.cell_of(coordinates), coordinates, m_values);
+    }
+
+    CGAL::Sign operator()(int f) const
+    {
+      return m_values.empty() ? CGAL::sign(evaluate_exactly(function_of(m_system, f), m_point)) : CGAL::sign(m_values[f].mantissa);
+    }
+  };
+
+  std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure)
   {
     std::vector<Exact_rational> point;
     for (int j = 0; j < m_layout.dimension; ++j)
       point.push_back(likely_coordinate(j, enclosure.lower[j], enclosure.upper[j]));
-    for (const Spline_function& function : m_system.equalities())
-      if (evaluate_exactly(function, point) != Exact_rational(0))
+    const Signs_at_point sign(m_system, m_source, point);
+    for (int f = 0; f < m_layout.equalities; ++f)
+      if (sign(f) != CGAL::ZERO)
         return {false, Position::INSIDE};
     for (int j = 0; j < m_layout.dimension; ++j)
       if (point[j] < m_system.domain(j).first || m_system.domain(j).second < point[j])
         return {true, Position::OUTSIDE};
-    for (const auto& inequality : m_system.inequalities())
-      if (!is_satisfied(inequality.relation, CGAL::sign(evaluate_exactly(inequality.function, point))))
+    for (int f = m_layout.equalities; f < m_layout.functions; ++f)
+      if (!is_satisfied(m_system.inequalities()[f - m_layout.equalities].relation, sign(f)))
         return {true, Position::OUTSIDE};
     return {true, Position::INSIDE};
   }

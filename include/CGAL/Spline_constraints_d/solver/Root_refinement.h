@@ -130,8 +130,8 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
-  std::vector<Coordinate> m_point, m_best;
+  std::vector<double> m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::vector<Coordinate> m_point, m_last_point, m_best;
 
 public:
   // An enclosure of the root of the region; `bits` after the binary point are aimed at where coordinates are rational.
@@ -139,7 +139,7 @@ public:
   {
     const int n = static_cast<int>(region.lower.size());
     region.source->set_matrix(region.matrix);
-    for (auto* v : {&m_step, &m_radius, &m_width})
+    for (auto* v : {&m_step, &m_step_error, &m_radius, &m_width})
       v->resize(n);
     m_point.resize(n);
     for (int j = 0; j < n; ++j) {
@@ -149,17 +149,19 @@ public:
     m_best = m_point;   // with the whole region around it, should no step be finite
     m_best_radius = m_width;
     double best = HUGE_VAL;
-    int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
-    m_shortest.assign(n, HUGE_VAL);
-    m_last_step.assign(n, 0);
-    for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
-      const double error = newton_step(region, bits);
+    const auto keep_if_best = [&](double error) {
       if (error < best) {
         best = error;
         m_best = m_point;
         m_best_radius = m_radius;
       }
-      if (best <= 0.5)
+      return best <= 0.5;
+    };
+    int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
+    m_shortest.assign(n, HUGE_VAL);
+    m_last_step.assign(n, 0);
+    for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
+      if (keep_if_best(newton_step(region, bits)))
         break;
       ++idle;
       for (int j = 0; j < n; ++j)
@@ -167,10 +169,13 @@ public:
           m_shortest[j] = std::abs(m_step[j]);
           idle = 0;
         }
+      m_last_point = m_point;
       for (int j = 0; j < n; ++j) {
         m_point[j] = stepped(m_point[j], -extrapolated_step(j, iteration) * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
       }
+      if (std::isfinite(best) && keep_if_best(error_after_step(region, bits)))
+        break;
     }
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
@@ -209,7 +214,8 @@ private:
         size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
       }
       m_step[j] = step;
-      m_radius[j] = std::abs(step) + 0x1p-44 * size;
+      m_step_error[j] = 0x1p-44 * size;
+      m_radius[j] = std::abs(step) + m_step_error[j];
       if (!std::isfinite(m_radius[j]))
         return HUGE_VAL;   // out of the range of double: no distance is known
       largest = (std::max)(largest, m_radius[j] / weight(j));
@@ -229,11 +235,32 @@ private:
         m_distance[j] = (std::min)(m_distance[j], bound);
       }
     }
-    double error = 0;
-    for (int j = 0; j < n; ++j) {
+    for (int j = 0; j < n; ++j)
       m_radius[j] = m_distance[j] * m_width[j] * (1 + 0x1p-40);
-      error = (std::max)(error, m_radius[j] / resolution(m_point[j], m_width[j], bits));
+    return largest_error(bits);
+  }
+
+  // The same after the step to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is where the step ended but for rounding.
+  double error_after_step(const Certified_region<Coordinate>& region, int bits)
+  {
+    const int n = static_cast<int>(region.lower.size());
+    for (int j = 0; j < n; ++j) {
+      double bound = m_step_error[j];
+      for (int k = 0; k < n; ++k)
+        bound += region.bounds[j * n + k] * m_distance[k];
+      const double wanted = m_step[j] * m_width[j], taken = CGAL::to_double(Coordinate(m_last_point[j] - m_point[j]));
+      const double rounding = std::abs(wanted - taken) + 0x1p-47 * (std::abs(wanted) + std::abs(taken));
+      m_radius[j] = (bound * m_width[j] + rounding) * (1 + 0x1p-40) + 0x1p-1020;
     }
+    return largest_error(bits);
+  }
+
+  // The largest entry of m_radius in units of the resolution.
+  double largest_error(int bits) const
+  {
+    double error = 0;
+    for (std::size_t j = 0; j < m_radius.size(); ++j)
+      error = (std::max)(error, m_radius[j] / resolution(m_point[j], m_width[j], bits));
     return error;
   }
 };
