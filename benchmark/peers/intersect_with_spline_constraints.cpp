@@ -23,7 +23,9 @@ SC::Spline_function coordinate(const Bezier_curve& curve, double Control_point::
   for (const Control_point& p : curve)
     coefficients.emplace_back(p.*axis);
   const int degree = static_cast<int>(curve.size()) - 1;
-  return SC::Spline_function::from_bezier_pieces({unknown}, {{0, 1}}, {SC::Bernstein_tensor<Exact_rational>({degree}, std::move(coefficients))});
+  std::vector<SC::Bernstein_tensor<Exact_rational>> piece;
+  piece.emplace_back(std::vector<int>{degree}, std::move(coefficients));
+  return SC::Spline_function::from_bezier_pieces({unknown}, {{0, 1}}, piece);
 }
 
 SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_curve& b)

@@ -169,44 +169,51 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
   });
 }
 
+// Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times differences.
+inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
+{
+  const int degree = degrees[axis];
+  std::vector<Big_integer> binomials(degree + 1, Big_integer(1));
+  for (int k = 1; k < degree; ++k) {
+    binomials[k] = binomials[k - 1];
+    binomials[k] *= degree - k + 1;
+    binomials[k] /= k;
+  }
+  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+    for (int r = 1; r <= degree; ++r)
+      for (int k = degree; k >= r; --k)
+        a[step * k] -= a[step * (k - 1)];
+    for (int k = 1; k < degree; ++k)
+      a[step * k] *= binomials[k];
+  });
+}
+
 /*
-Bernstein coefficients on [begin,end] to coefficients of powers, along one axis of a tensor of integers over a common denominator. In t = (x - begin) / (end - begin) they are binomials
-times differences. With begin = b / u and end - begin = w / u they are those of the powers of (u x - b) / w: multiplied by w^d, coefficient k by w^(d-k), then shifted by b, then
-multiplied by u^k.
+Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
+that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
 */
-inline void bernstein_to_power(std::vector<Big_integer>& coefficients, Big_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
-                               const Exact_rational& begin, const Exact_rational& end)
+inline void substitute_range(std::vector<Big_integer>& coefficients, Big_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
+                             const Exact_rational& begin, const Exact_rational& end)
 {
   const int degree = degrees[axis];
   Big_integer unit(1);
   extend_common_denominator(unit, begin);
   extend_common_denominator(unit, end);
   const Big_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
-
-  std::vector<Big_integer> before(degree + 1, Big_integer(1)), after(degree + 1, Big_integer(1));   // factors of the coefficients
+  std::vector<Big_integer> powers_of_width(1, Big_integer(1)), powers_of_unit(1, Big_integer(1));
   for (int k = 1; k <= degree; ++k) {
-    before[k] = before[k - 1] * (degree - k + 1) / k;
-    after[k] = after[k - 1] * unit;
+    powers_of_width.push_back(powers_of_width.back() * width);
+    powers_of_unit.push_back(powers_of_unit.back() * unit);
   }
-  Big_integer power(1);
-  for (int k = degree; k >= 0; --k, power *= width)
-    before[k] *= power;
-  for (int k = 0; k < degree; ++k)
-    denominator *= width;
-
+  denominator *= powers_of_width.back();
   visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
-    for (int r = 1; r <= degree; ++r)
-      for (int k = degree; k >= r; --k)
-        a[step * k] -= a[step * (k - 1)];
     for (int k = 0; k <= degree; ++k)
-      a[step * k] *= before[k];
-    if (offset != 0)
-      for (int r = 0; r < degree; ++r)
-        for (int k = degree - 1; k >= r; --k)
-          add_product(a[step * k], offset, a[step * (k + 1)]);
-    if (unit != 1)
-      for (int k = 1; k <= degree; ++k)
-        a[step * k] *= after[k];
+      a[step * k] *= powers_of_width[degree - k];
+    for (int r = 0; r < degree; ++r)
+      for (int k = degree - 1; k >= r; --k)
+        add_product(a[step * k], offset, a[step * (k + 1)]);
+    for (int k = 1; k <= degree; ++k)
+      a[step * k] *= powers_of_unit[k];
   });
 }
 
@@ -303,7 +310,10 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
     for (std::size_t j = dimension; j-- > 0;) {
       const std::size_t cell = rest % term.cells(j);
       rest /= term.cells(j);
-      internal::bernstein_to_power(power, denominator, term.degrees, j, term.breaks[j][cell], term.breaks[j][cell + 1]);
+      const Exact_rational &begin = term.breaks[j][cell], &end = term.breaks[j][cell + 1];
+      internal::bernstein_to_power(power, term.degrees, j);
+      if (begin != 0 || end != 1)
+        internal::substitute_range(power, denominator, term.degrees, j, begin, end);
     }
     std::vector<Exact_rational>& piece = term.pieces.emplace_back();
     piece.reserve(power.size());

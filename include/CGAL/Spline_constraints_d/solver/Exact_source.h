@@ -250,15 +250,17 @@ inline void Exact_source::prepare_binomials()
     auto& weights = m_weights.emplace_back();
     Big_integer product(1);
     for (int degree : block.degrees) {
-      std::vector<Big_integer> binomial(1, Big_integer(1));
-      Big_integer common(1);
-      for (int i = 1; i <= degree; ++i) {
-        binomial.push_back(Big_integer(binomial.back() * (degree - i + 1) / i));
-        common = lcm(common, binomial.back());
+      Big_integer common(1);   // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
+      for (int i = 2; i <= degree + 1; ++i)
+        mpz_lcm_ui(common.backend().data(), common.backend().data(), static_cast<unsigned long>(i));
+      common /= degree + 1;
+      std::vector<Big_integer> quotients(degree + 1, common);
+      for (int i = 1; i < degree; ++i) {
+        quotients[i] = quotients[i - 1];
+        quotients[i] *= i;
+        quotients[i] /= degree - i + 1;
       }
-      for (Big_integer& b : binomial)
-        b = common / b;
-      weights.push_back(std::move(binomial));
+      weights.push_back(std::move(quotients));
       product *= common;
     }
     m_denominators.push_back(product);
@@ -345,7 +347,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
           if (exponent < 0)
             for (int k = 0; k < degree; ++k)
               shift_left(a[inner * k], static_cast<unsigned long>(-exponent) * (degree - k));
-          for (int r = 0; r < degree; ++r)
+          for (int r = 0; r < degree && begin != 0; ++r)
             for (int k = degree - 1; k >= r; --k)
               add_product(a[inner * k], begin, a[inner * (k + 1)]);
           for (int k = 0; k <= degree; ++k)

@@ -93,11 +93,11 @@ class Root_position
   std::vector<double> m_coefficients, m_errors;
   std::vector<long> m_scale;
   Partial_point m_values;   // coordinates that are known exactly
-  Node_view m_view;
+  std::optional<Node_view> m_view;   // made when it is needed
 
 public:
   Root_position(const Constraint_system_d& system, const System_layout& layout, Exact_source& source)
-    : m_system(system), m_layout(layout), m_source(source), m_coefficients(layout.size), m_errors(layout.errors), m_view(layout)
+    : m_system(system), m_layout(layout), m_source(source)
   {
     for (int j = 0; j < layout.dimension; ++j) {
       m_lower.push_back(to_double_interval(system.domain(j).first));
@@ -157,18 +157,23 @@ private:
     const bool is_overdetermined = m_layout.equalities > m_layout.dimension;
     bool is_on_inequality = false, is_on_equality = false;
     if (is_overdetermined || !m_system.inequalities().empty()) {
+      if (!m_view) {
+        m_view.emplace(m_layout);
+        m_coefficients.resize(m_layout.size);
+        m_errors.resize(m_layout.errors);
+      }
       bool is_excluded = true;   // on all pieces
       m_source.visit_cells(std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper), [&](const Cell& cell) {
         m_source.bernstein_coefficients(cell, std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper),
                                         m_coefficients.data(), m_errors.data(), m_scale);
-        m_view.reset(m_coefficients.data(), m_errors.data());
+        m_view->reset(m_coefficients.data(), m_errors.data());
         bool is_excluded_here = false;
         for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
           const bool is_equality = f < m_layout.equalities;
           const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
-          if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
+          if (is_certainly_violated(relation, m_view->lower(f), m_view->upper(f)))
             is_excluded_here = true;
-          if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)) && !is_satisfied_by_values(f, relation))
+          if (!is_certainly_satisfied(relation, m_view->lower(f), m_view->upper(f)) && !is_satisfied_by_values(f, relation))
             (is_equality ? is_on_equality : is_on_inequality) = true;
         }
         is_excluded = is_excluded && is_excluded_here;

@@ -161,7 +161,8 @@ public:
     m_shortest.assign(n, HUGE_VAL);
     m_last_step.assign(n, 0);
     for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
-      if (keep_if_best(newton_step(region, bits)))
+      const double error = newton_step(region, bits);
+      if (keep_if_best(error))
         break;
       ++idle;
       for (int j = 0; j < n; ++j)
@@ -174,7 +175,7 @@ public:
         m_point[j] = stepped(m_point[j], -extrapolated_step(j, iteration) * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
       }
-      if (std::isfinite(best) && keep_if_best(error_after_step(region, bits)))
+      if (std::isfinite(error) && keep_if_best(error_after_step(region, bits)))
         break;
     }
     Root_enclosure<Coordinate> result;
@@ -240,7 +241,8 @@ private:
     return largest_error(bits);
   }
 
-  // The same after the step to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is where the step ended but for rounding.
+  // The same after the step from m_last_point to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is z - C f(z) but for rounding.
+  // Where the step went elsewhere, the difference counts as rounding. \pre newton_step() found finite distances
   double error_after_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size());
