@@ -6,10 +6,12 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -83,9 +85,9 @@ public:
   const std::vector<Spline_term>& terms() const { return m_terms; }
 
   //! adds the terms of another function.
-  Spline_function& operator+=(const Spline_function& other)
+  Spline_function& operator+=(Spline_function other)
   {
-    m_terms.insert(m_terms.end(), other.m_terms.begin(), other.m_terms.end());
+    m_terms.insert(m_terms.end(), std::make_move_iterator(other.m_terms.begin()), std::make_move_iterator(other.m_terms.end()));
     return *this;
   }
 
@@ -99,8 +101,15 @@ public:
     return *this;
   }
 
-  friend Spline_function operator+(Spline_function a, const Spline_function& b) { return a += b; }
-  friend Spline_function operator-(Spline_function a, Spline_function b) { return a += (b *= Exact_rational(-1)); }
+  friend Spline_function operator+(Spline_function a, Spline_function b) { return std::move(a += std::move(b)); }
+  friend Spline_function operator-(Spline_function a, Spline_function b)
+  {
+    for (Spline_term& term : b.m_terms)
+      for (auto& piece : term.pieces)
+        for (Exact_rational& coefficient : piece)
+          coefficient = -coefficient;
+    return std::move(a += std::move(b));
+  }
 };
 
 namespace internal {
@@ -130,26 +139,82 @@ inline void check(const Spline_term& term)
       throw Invalid_input("Spline_term: wrong number of coefficients in piece " + std::to_string(c));
 }
 
-// Substitutes x -> shift + scale x along an axis of a dense power-form tensor, by repeated synthetic division.
-template <class NT>
-void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis, const NT& shift, const NT& scale)
+// Calls visit(first number, distance of the next) for every row of a tensor along an axis.
+template <class NT, class Visitor>
+void visit_rows(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis, const Visitor& visit)
 {
   std::size_t inner = 1;
   for (std::size_t j = axis + 1; j < degrees.size(); ++j)
     inner *= static_cast<std::size_t>(degrees[j]) + 1;
-  const int degree = degrees[axis];
-  const std::size_t line = inner * (degree + 1);
+  const std::size_t line = inner * (degrees[axis] + 1);
   for (std::size_t begin = 0; begin < coefficients.size(); begin += line)
-    for (std::size_t i = begin; i < begin + inner; ++i) {
-      for (int r = 0; r < degree; ++r)
-        for (int k = degree - 1; k >= r; --k)
-          coefficients[i + inner * k] += shift * coefficients[i + inner * (k + 1)];
-      NT power(1);
-      for (int k = 1; k <= degree; ++k) {
-        power *= scale;
-        coefficients[i + inner * k] *= power;
-      }
+    for (std::size_t i = begin; i < begin + inner; ++i)
+      visit(coefficients.data() + i, inner);
+}
+
+// Substitutes x -> shift + scale x along an axis of a dense power-form tensor, by repeated synthetic division.
+template <class NT>
+void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& degrees, std::size_t axis, const NT& shift, const NT& scale)
+{
+  const int degree = degrees[axis];
+  visit_rows(coefficients, degrees, axis, [&](NT* a, std::size_t step) {
+    for (int r = 0; r < degree; ++r)
+      for (int k = degree - 1; k >= r; --k)
+        a[step * k] += shift * a[step * (k + 1)];
+    NT power(1);
+    for (int k = 1; k <= degree; ++k) {
+      power *= scale;
+      a[step * k] *= power;
     }
+  });
+}
+
+// Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times differences.
+inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
+{
+  const int degree = degrees[axis];
+  std::vector<Big_integer> binomials(degree + 1, Big_integer(1));
+  for (int k = 1; k < degree; ++k) {
+    binomials[k] = binomials[k - 1];
+    binomials[k] *= degree - k + 1;
+    binomials[k] /= k;
+  }
+  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+    for (int r = 1; r <= degree; ++r)
+      for (int k = degree; k >= r; --k)
+        a[step * k] -= a[step * (k - 1)];
+    for (int k = 1; k < degree; ++k)
+      a[step * k] *= binomials[k];
+  });
+}
+
+/*
+Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
+that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
+*/
+inline void substitute_range(std::vector<Big_integer>& coefficients, Big_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
+                             const Exact_rational& begin, const Exact_rational& end)
+{
+  const int degree = degrees[axis];
+  Big_integer unit(1);
+  extend_common_denominator(unit, begin);
+  extend_common_denominator(unit, end);
+  const Big_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
+  std::vector<Big_integer> powers_of_width(1, Big_integer(1)), powers_of_unit(1, Big_integer(1));
+  for (int k = 1; k <= degree; ++k) {
+    powers_of_width.push_back(powers_of_width.back() * width);
+    powers_of_unit.push_back(powers_of_unit.back() * unit);
+  }
+  denominator *= powers_of_width.back();
+  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+    for (int k = 0; k <= degree; ++k)
+      a[step * k] *= powers_of_width[degree - k];
+    for (int r = 0; r < degree; ++r)
+      for (int k = degree - 1; k >= r; --k)
+        add_product(a[step * k], offset, a[step * (k + 1)]);
+    for (int k = 1; k <= degree; ++k)
+      a[step * k] *= powers_of_unit[k];
+  });
 }
 
 } // namespace internal
@@ -231,16 +296,29 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
     if (term.breaks[j].size() < 2)
       throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    std::vector<Exact_rational> power = pieces[c].elevated(term.degrees).power_coefficients();
+    const bool has_degrees = pieces[c].degrees() == term.degrees;
+    const std::vector<Exact_rational> elevated = has_degrees ? std::vector<Exact_rational>() : pieces[c].elevated(term.degrees).coefficients();
+    const std::vector<Exact_rational>& bernstein = has_degrees ? pieces[c].coefficients() : elevated;
+    internal::Big_integer denominator(1);
+    for (const Exact_rational& coefficient : bernstein)
+      internal::extend_common_denominator(denominator, coefficient);
+    std::vector<internal::Big_integer> power;
+    power.reserve(bernstein.size());
+    for (const Exact_rational& coefficient : bernstein)
+      power.push_back(internal::numerator_over(coefficient, denominator));
     std::size_t rest = c;
     for (std::size_t j = dimension; j-- > 0;) {
       const std::size_t cell = rest % term.cells(j);
       rest /= term.cells(j);
-      const Exact_rational& begin = term.breaks[j][cell];
-      const Exact_rational scale = Exact_rational(1) / (term.breaks[j][cell + 1] - begin);
-      internal::substitute_affine(power, term.degrees, j, Exact_rational(-begin * scale), scale);
+      const Exact_rational &begin = term.breaks[j][cell], &end = term.breaks[j][cell + 1];
+      internal::bernstein_to_power(power, term.degrees, j);
+      if (begin != 0 || end != 1)
+        internal::substitute_range(power, denominator, term.degrees, j, begin, end);
     }
-    term.pieces.push_back(std::move(power));
+    std::vector<Exact_rational>& piece = term.pieces.emplace_back();
+    piece.reserve(power.size());
+    for (const internal::Big_integer& numerator : power)
+      piece.push_back(internal::quotient(numerator, denominator));
   }
   return Spline_function(std::move(term));
 }

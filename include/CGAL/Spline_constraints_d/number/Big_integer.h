@@ -69,10 +69,52 @@ Big_integer denominator_of_rational(const Rational& value)
 inline Big_integer numerator_of(const Exact_rational& value) { return numerator_of_rational(value); }
 inline Big_integer denominator_of(const Exact_rational& value) { return denominator_of_rational(value); }
 
+// Rationals that show their GMP number need no copies here.
+template <class Rational>
+void extend_common_denominator_of_rational(Big_integer& common, const Rational& value)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    mpz_srcptr denominator = mpq_denref(mpq_of(value));
+    if (!mpz_divisible_p(common.backend().data(), denominator))
+      mpz_lcm(common.backend().data(), common.backend().data(), denominator);
+  } else
+    common = lcm(common, denominator_of_rational(value));
+}
+
+template <class Rational>
+Big_integer numerator_of_rational_over(const Rational& value, const Big_integer& common)
+{
+  if constexpr (Readable_as_mpq<Rational>) {
+    Big_integer result;
+    mpz_ptr target = result.backend().data();
+    mpz_srcptr numerator = mpq_numref(mpq_of(value)), denominator = mpq_denref(mpq_of(value));
+    if (mpz_cmp(common.backend().data(), denominator) == 0)
+      mpz_set(target, numerator);
+    else {
+      mpz_divexact(target, common.backend().data(), denominator);
+      mpz_mul(target, target, numerator);
+    }
+    return result;
+  } else
+    return numerator_of_rational(value) * (common / denominator_of_rational(value));
+}
+
+// The least common multiple of `common` and the denominator of a rational takes the place of `common`.
+inline void extend_common_denominator(Big_integer& common, const Exact_rational& value) { extend_common_denominator_of_rational(common, value); }
+
+// value * common, an integer. \pre the denominator of the rational divides `common`
+inline Big_integer numerator_over(const Exact_rational& value, const Big_integer& common) { return numerator_of_rational_over(value, common); }
+
 inline void shift_left(Big_integer& value, unsigned long bits)
 {
   if (bits != 0)
     mpz_mul_2exp(value.backend().data(), value.backend().data(), bits);
+}
+
+// target = value 2^bits
+inline void set_shifted(Big_integer& target, const Big_integer& value, unsigned long bits)
+{
+  mpz_mul_2exp(target.backend().data(), value.backend().data(), bits);
 }
 
 // sum += a b
@@ -138,6 +180,14 @@ Rational scaled_rational(const Big_integer& value, long exponent)
   }
 }
 
+// numerator / denominator, exactly. \pre denominator > 0
+inline Exact_rational quotient(const Big_integer& numerator, const Big_integer& denominator)
+{
+  if (mpz_popcount(denominator.backend().data()) == 1)
+    return scaled_rational(numerator, 1 - bit_length(denominator));
+  return scaled_rational(numerator, 0) / scaled_rational(denominator, 0);
+}
+
 // A dyadic number as mantissa 2^exponent.
 inline std::pair<Big_integer, long> to_dyadic(double value)
 {
@@ -150,6 +200,8 @@ inline std::pair<Big_integer, long> to_dyadic(double value)
   return {Big_integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
 }
 
+inline bool is_dyadic(const Exact_rational& value) { return mpz_popcount(denominator_of(value).backend().data()) == 1; }
+
 // \pre the denominator is a power of two
 inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
 {
@@ -157,6 +209,36 @@ inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
   CGAL_precondition(mpz_popcount(denominator.backend().data()) == 1);
   return {numerator_of(value), 1 - bit_length(denominator)};
 }
+
+// A sum of dyadic numbers in the finest of their units.
+class Dyadic_sum
+{
+  Big_integer m_sum, m_shifted;
+  long m_unit = 0;
+
+public:
+  void reset()
+  {
+    m_sum = 0;
+    m_unit = 0;
+  }
+
+  // Adds value 2^exponent.
+  void add(const Big_integer& value, long exponent)
+  {
+    if (exponent < m_unit) {
+      shift_left(m_sum, static_cast<unsigned long>(m_unit - exponent));
+      m_unit = exponent;
+      m_sum += value;
+    } else {
+      set_shifted(m_shifted, value, static_cast<unsigned long>(exponent - m_unit));
+      m_sum += m_shifted;
+    }
+  }
+
+  const Big_integer& mantissa() const { return m_sum; }
+  long exponent() const { return m_unit; }
+};
 
 // Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.
 struct Common_dyadic

@@ -55,6 +55,9 @@ class Exact_source
   std::vector<Big_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
   std::vector<Big_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
   std::vector<Big_integer> m_values, m_work;
+  std::vector<std::pair<Big_integer, long>> m_point;   // of an evaluation: mantissa 2^exponent, exponent <= 0
+  std::vector<Dyadic_sum> m_sums;
+  Big_integer m_horner, m_shifted;
   std::vector<std::vector<Place>> m_places;   // per function
   Cell m_cell;
 
@@ -114,6 +117,8 @@ public:
     }
   }
 
+  const System_layout& layout() const { return m_layout; }
+
   // The matrix that the functions are multiplied by, row-major; empty: none.
   const std::vector<Big_integer>& matrix() const { return m_matrix; }
   void set_matrix(const std::vector<Big_integer>& matrix) { m_matrix = matrix; }
@@ -150,6 +155,9 @@ private:
       value_at(place, p) += constant;
   }
 
+  template <class Coordinate>
+  void set_point(std::span<const Coordinate> point);
+  void contract_last_axis(const Big_integer* coefficients, std::size_t points, int degree, const Big_integer& x, long exponent);
   void load(const Cell& cell);
   void gather_constants(const std::vector<long>& exponents);
   static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
@@ -195,7 +203,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
   for (const Spline_term& term : function.terms())
     for (const auto& coefficients : term.pieces)
       for (const Exact_rational& coefficient : coefficients)
-        denominator = lcm(denominator, denominator_of(coefficient));
+        extend_common_denominator(denominator, coefficient);
 
   for (const Spline_term& term : function.terms()) {
     Term result;
@@ -227,7 +235,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
         std::size_t position = 0;
         for (std::size_t j = 0; j < k.size(); ++j)
           position = position * (static_cast<std::size_t>(block.degrees[j]) + 1) + k[j];
-        padded[position] = numerator_of(coefficient) * (denominator / denominator_of(coefficient));
+        padded[position] = numerator_over(coefficient, denominator);
         for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
           k[j] = 0;
       }
@@ -242,15 +250,17 @@ inline void Exact_source::prepare_binomials()
     auto& weights = m_weights.emplace_back();
     Big_integer product(1);
     for (int degree : block.degrees) {
-      std::vector<Big_integer> binomial(1, Big_integer(1));
-      Big_integer common(1);
-      for (int i = 1; i <= degree; ++i) {
-        binomial.push_back(Big_integer(binomial.back() * (degree - i + 1) / i));
-        common = lcm(common, binomial.back());
+      Big_integer common(1);   // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
+      for (int i = 2; i <= degree + 1; ++i)
+        mpz_lcm_ui(common.backend().data(), common.backend().data(), static_cast<unsigned long>(i));
+      common /= degree + 1;
+      std::vector<Big_integer> quotients(degree + 1, common);
+      for (int i = 1; i < degree; ++i) {
+        quotients[i] = quotients[i - 1];
+        quotients[i] *= i;
+        quotients[i] /= degree - i + 1;
       }
-      for (Big_integer& b : binomial)
-        b = common / b;
-      weights.push_back(std::move(binomial));
+      weights.push_back(std::move(quotients));
       product *= common;
     }
     m_denominators.push_back(product);
@@ -337,7 +347,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
           if (exponent < 0)
             for (int k = 0; k < degree; ++k)
               shift_left(a[inner * k], static_cast<unsigned long>(-exponent) * (degree - k));
-          for (int r = 0; r < degree; ++r)
+          for (int r = 0; r < degree && begin != 0; ++r)
             for (int k = degree - 1; k >= r; --k)
               add_product(a[inner * k], begin, a[inner * (k + 1)]);
           for (int k = 0; k <= degree; ++k)
@@ -420,54 +430,66 @@ inline void Exact_source::gather_constants(const std::vector<long>& exponents)
 }
 
 template <class Coordinate>
+void Exact_source::set_point(std::span<const Coordinate> point)
+{
+  m_point.resize(point.size());
+  for (std::size_t v = 0; v < point.size(); ++v) {
+    m_point[v] = to_dyadic(point[v]);
+    auto& [x, exponent] = m_point[v];
+    if (exponent > 0) {
+      shift_left(x, static_cast<unsigned long>(exponent));
+      exponent = 0;
+    }
+  }
+}
+
+// Horner's scheme on every row of the last axis, at x 2^exponent, into m_work; the coefficients may lie there.
+inline void Exact_source::contract_last_axis(const Big_integer* coefficients, std::size_t points, int degree, const Big_integer& x, long exponent)
+{
+  for (std::size_t p = 0; p < points; ++p) {
+    const Big_integer* a = coefficients + p * (degree + 1);
+    m_horner = a[degree];
+    for (int k = degree - 1; k >= 0; --k) {
+      m_horner *= x;
+      if (a[k] != 0) {
+        set_shifted(m_shifted, a[k], static_cast<unsigned long>(-exponent) * (degree - k));
+        m_horner += m_shifted;
+      }
+    }
+    m_work[p] = m_horner;
+  }
+}
+
+template <class Coordinate>
 void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
 {
-  std::vector<std::pair<Big_integer, long>> sums(m_layout.functions, {Big_integer(0), 0});
-  const auto add = [](Big_integer value, long exponent, std::pair<Big_integer, long>& sum) {   // in the finer of the two units
-    if (exponent < sum.second) {
-      shift_left(sum.first, static_cast<unsigned long>(sum.second - exponent));
-      sum.second = exponent;
-    } else
-      shift_left(value, static_cast<unsigned long>(exponent - sum.second));
-    sum.first += value;
-  };
+  set_point(point);
+  m_sums.resize(m_layout.functions);
+  for (Dyadic_sum& sum : m_sums)
+    sum.reset();
   for (const Term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
-    m_work = piece(term, cell);
+    const std::vector<Big_integer>& coefficients = piece(term, cell);
+    const Big_integer* rest = coefficients.data();
+    m_work.resize((std::max)(m_work.size(), block.points));
     std::size_t points = block.points;
     long exponent = 0;
-    for (std::size_t j = block.axes.size(); j-- > 0;) {   // Horner along the last axis that is left
-      auto [x, e] = to_dyadic(point[block.axes[j]]);
-      if (e > 0) {
-        shift_left(x, static_cast<unsigned long>(e));
-        e = 0;
-      }
-      const int degree = block.degrees[j];
-      points /= degree + 1;
-      for (std::size_t p = 0; p < points; ++p) {
-        Big_integer* a = m_work.data() + p * (degree + 1);
-        Big_integer sum = a[degree];
-        for (int k = degree - 1; k >= 0; --k) {
-          sum *= x;
-          if (a[k] != 0) {
-            shift_left(a[k], static_cast<unsigned long>(-e) * (degree - k));
-            sum += a[k];
-          }
-        }
-        m_work[p] = sum;
-      }
-      exponent += e * degree;
+    for (std::size_t j = block.axes.size(); j-- > 0; rest = m_work.data()) {
+      const auto& [x, e] = m_point[block.axes[j]];
+      points /= block.degrees[j] + 1;
+      contract_last_axis(rest, points, block.degrees[j], x, e);
+      exponent += e * block.degrees[j];
     }
     if (m_matrix.empty())
-      add(m_work[0], exponent, sums[term.function]);
+      m_sums[term.function].add(rest[0], exponent);
     else
       for (int f = 0; f < m_layout.functions; ++f)
-        add(m_work[0] * m_matrix[f * m_layout.functions + term.function], exponent, sums[f]);
+        m_sums[f].add(rest[0] * m_matrix[f * m_layout.functions + term.function], exponent);
   }
   values.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {
-    long bits = bit_length(sums[f].first);
-    values[f] = {to_scaled_double(sums[f].first, -bits), sums[f].second + bits};
+    const long bits = bit_length(m_sums[f].mantissa());
+    values[f] = {to_scaled_double(m_sums[f].mantissa(), -bits), m_sums[f].exponent() + bits};
   }
 }
 

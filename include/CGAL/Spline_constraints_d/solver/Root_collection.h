@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 
 #include <chrono>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -34,9 +35,11 @@ class Root_collection
 {
   using Coordinate = typename Number_traits<NT>::Coordinate;
 
+  Approximate_refinement m_approximation;
   Root_refinement<Coordinate> m_refinement;
   Root_position<NT> m_position;
   Certified_region<Coordinate> m_region;
+  std::vector<NT> m_coefficients;   // on the region, where it is the box of a node
   std::vector<Coordinate> m_first_lower, m_first_upper;
   std::vector<Found_root<Coordinate>> m_roots;
   const std::vector<Found_root<Coordinate>>* m_others;
@@ -75,6 +78,7 @@ public:
     m_region.inverse.clear();
     for (int j = 0; j < n; ++j)
       m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);
+    m_coefficients = node.coefficients;
     if (is_first) {
       m_first_lower = node.lower;
       m_first_upper = node.upper;
@@ -84,6 +88,7 @@ public:
   void set_region(const Certified_region<Coordinate>& region, bool is_first)
   {
     m_region = region;
+    m_coefficients.clear();
     if (is_first) {
       m_first_lower = region.lower;
       m_first_upper = region.upper;
@@ -94,6 +99,9 @@ public:
   Root_enclosure<Coordinate> refine()
   {
     const auto start = std::chrono::steady_clock::now();
+    if constexpr (std::is_same_v<NT, double>)
+      if (!m_coefficients.empty())
+        m_approximation.refine(m_region.source->layout(), m_coefficients.data(), m_region.inverse, m_region.start);
     Root_enclosure<Coordinate> enclosure = m_refinement.refine(m_region, m_precision);
     m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return enclosure;

@@ -85,11 +85,11 @@ class Root_position
   std::vector<double> m_coefficients, m_errors;
   std::vector<long> m_scale;
   Partial_point m_values;   // coordinates that are known exactly
-  Node_view m_view;
+  std::optional<Node_view> m_view;   // made when it is needed
 
 public:
   Root_position(const Constraint_system_d& system, const System_layout& layout, Exact_source& source)
-    : m_system(system), m_layout(layout), m_source(source), m_coefficients(layout.size), m_errors(layout.errors), m_view(layout)
+    : m_system(system), m_layout(layout), m_source(source)
   {
     for (int j = 0; j < layout.dimension; ++j) {
       m_lower.push_back(to_double_interval(system.domain(j).first));
@@ -103,6 +103,11 @@ public:
     Position position = position_of(enclosure);
     if (position == Position::INSIDE || position == Position::OUTSIDE)
       return position;
+    Root_enclosure<Exact_rational> fine;
+    fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
+    fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
+    if (const auto exact = position_of_rational_root(fine); exact.first)
+      return exact.second;
     Certified_region<Exact_rational> exact_region;
     exact_region.lower.assign(region.lower.begin(), region.lower.end());
     exact_region.upper.assign(region.upper.begin(), region.upper.end());
@@ -114,19 +119,14 @@ public:
     exact_region.source = region.source;
     exact_region.matrix = region.matrix;
     Root_refinement<Exact_rational> refinement;
-    Root_enclosure<Exact_rational> fine;
-    fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
-    fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
     for (const int bits : {200, 800}) {
-      if (const auto exact = position_of_rational_root(fine); exact.first)
-        return exact.second;
       fine = refinement.refine(exact_region, bits);
       position = position_of(fine);
       if (position == Position::INSIDE || position == Position::OUTSIDE)
         return position;
+      if (const auto exact = position_of_rational_root(fine); exact.first)
+        return exact.second;
     }
-    if (const auto exact = position_of_rational_root(fine); exact.first)
-      return exact.second;
     m_values = rational_coordinates(m_system, exact_region, fine);
     return position_of(fine);
   }
@@ -149,18 +149,23 @@ private:
     const bool is_overdetermined = m_layout.equalities > m_layout.dimension;
     bool is_on_inequality = false, is_on_equality = false;
     if (is_overdetermined || !m_system.inequalities().empty()) {
+      if (!m_view) {
+        m_view.emplace(m_layout);
+        m_coefficients.resize(m_layout.size);
+        m_errors.resize(m_layout.errors);
+      }
       bool is_excluded = true;   // on all pieces
       m_source.visit_cells(std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper), [&](const Cell& cell) {
         m_source.bernstein_coefficients(cell, std::span<const C>(enclosure.lower), std::span<const C>(enclosure.upper),
                                         m_coefficients.data(), m_errors.data(), m_scale);
-        m_view.reset(m_coefficients.data(), m_errors.data());
+        m_view->reset(m_coefficients.data(), m_errors.data());
         bool is_excluded_here = false;
         for (int f = is_overdetermined ? 0 : m_layout.equalities; f < m_layout.functions; ++f) {
           const bool is_equality = f < m_layout.equalities;
           const Relation relation = is_equality ? Relation::EQUAL : m_system.inequalities()[f - m_layout.equalities].relation;
-          if (is_certainly_violated(relation, m_view.lower(f), m_view.upper(f)))
+          if (is_certainly_violated(relation, m_view->lower(f), m_view->upper(f)))
             is_excluded_here = true;
-          if (!is_certainly_satisfied(relation, m_view.lower(f), m_view.upper(f)) && !is_satisfied_by_values(f, relation))
+          if (!is_certainly_satisfied(relation, m_view->lower(f), m_view->upper(f)) && !is_satisfied_by_values(f, relation))
             (is_equality ? is_on_equality : is_on_inequality) = true;
         }
         is_excluded = is_excluded && is_excluded_here;
@@ -192,19 +197,42 @@ private:
     return simplest_rational_between(lower, upper);
   }
 
-  std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure) const
+  // The sign of a function at a point: in integers where the coordinates are dyadic.
+  class Signs_at_point
+  {
+    const Constraint_system_d& m_system;
+    const std::vector<Exact_rational>& m_point;
+    std::vector<Exact_source::Value> m_values;
+
+  public:
+    Signs_at_point(const Constraint_system_d& system, Exact_source& source, const std::vector<Exact_rational>& point)
+      : m_system(system), m_point(point)
+    {
+      const std::span<const Exact_rational> coordinates(point);
+      if (std::all_of(point.begin(), point.end(), [](const Exact_rational& x) { return is_dyadic(x); }))
+        source.evaluate(source.cell_of(coordinates), coordinates, m_values);
+    }
+
+    CGAL::Sign operator()(int f) const
+    {
+      return m_values.empty() ? CGAL::sign(evaluate_exactly(function_of(m_system, f), m_point)) : CGAL::sign(m_values[f].mantissa);
+    }
+  };
+
+  std::pair<bool, Position> position_of_rational_root(const Root_enclosure<Exact_rational>& enclosure)
   {
     std::vector<Exact_rational> point;
     for (int j = 0; j < m_layout.dimension; ++j)
       point.push_back(likely_coordinate(j, enclosure.lower[j], enclosure.upper[j]));
-    for (const Spline_function& function : m_system.equalities())
-      if (evaluate_exactly(function, point) != Exact_rational(0))
+    const Signs_at_point sign(m_system, m_source, point);
+    for (int f = 0; f < m_layout.equalities; ++f)
+      if (sign(f) != CGAL::ZERO)
         return {false, Position::INSIDE};
     for (int j = 0; j < m_layout.dimension; ++j)
       if (point[j] < m_system.domain(j).first || m_system.domain(j).second < point[j])
         return {true, Position::OUTSIDE};
-    for (const auto& inequality : m_system.inequalities())
-      if (!is_satisfied(inequality.relation, CGAL::sign(evaluate_exactly(inequality.function, point))))
+    for (int f = m_layout.equalities; f < m_layout.functions; ++f)
+      if (!is_satisfied(m_system.inequalities()[f - m_layout.equalities].relation, sign(f)))
         return {true, Position::OUTSIDE};
     return {true, Position::INSIDE};
   }

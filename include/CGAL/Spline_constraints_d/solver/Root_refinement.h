@@ -66,6 +66,62 @@ inline Exact_rational below(const Exact_rational& x, double radius) { return x -
 inline Exact_rational above(const Exact_rational& x, double radius) { return x + Exact_rational(radius); }
 
 /*
+Newton's iteration in double, on the coefficients of a box: where the one with exact residuals, of which each costs more, may begin. Proves nothing.
+*/
+class Approximate_refinement
+{
+  std::vector<double> m_values, m_work;
+
+public:
+  // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
+  void refine(const System_layout& layout, const double* coefficients, const std::vector<double>& inverse, std::vector<double>& point)
+  {
+    const std::size_t n = point.size(), m = inverse.size() / n;
+    for (double last = 0.5;;) {
+      evaluate(layout, coefficients, point);
+      double largest = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        double step = 0;
+        for (std::size_t i = 0; i < m; ++i)
+          step += inverse[j * m + i] * m_values[i];
+        m_work[j] = step;
+        largest = (std::max)(largest, std::abs(step));
+      }
+      if (!(largest < 0.5 * last))
+        return;
+      for (std::size_t j = 0; j < n; ++j)
+        point[j] = (std::min)((std::max)(point[j] - m_work[j], 0.0), 1.0);
+      last = largest;
+    }
+  }
+
+private:
+  // Fills m_values, by Horner's scheme along each axis of each block.
+  void evaluate(const System_layout& layout, const double* coefficients, const std::vector<double>& point)
+  {
+    m_values.assign(layout.functions, 0);
+    for (const Block& block : layout.blocks) {
+      const double* rest = coefficients + block.offset;
+      m_work.resize((std::max)({m_work.size(), block.size(), point.size()}));
+      for (std::size_t j = 0; j < block.axes.size(); ++j, rest = m_work.data()) {
+        const int degree = block.degrees[j];
+        const std::size_t inner = block.lengths[j + 1];
+        const double u = point[block.axes[j]], v = 1 - u;
+        std::copy(rest, rest + inner, m_work.data());
+        double weight = 1;   // C(degree,k) u^k
+        for (int k = 1; k <= degree; ++k) {
+          weight *= u * (degree - k + 1) / k;
+          for (std::size_t i = 0; i < inner; ++i)
+            m_work[i] = m_work[i] * v + weight * rest[k * inner + i];
+        }
+      }
+      for (std::size_t i = 0; i < block.functions.size(); ++i)
+        m_values[block.functions[i]] += rest[i];
+    }
+  }
+};
+
+/*
 Newton iteration with a fixed inverse and exact residuals, to the full precision of the coordinates. The enclosure follows from
 x* - z = -C f(z) + (I - C J)(x* - z): in box coordinates, e = |x* - z| satisfies |e| <= |C f(z)| / (1 - q) in the weighted maximum norm in which q bounds Q >= |I - C J|, and
 then e <= |C f(z)| + Q e axis by axis, which tells thin axes from wide ones.
@@ -74,8 +130,8 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
-  std::vector<Coordinate> m_point, m_best;
+  std::vector<double> m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::vector<Coordinate> m_point, m_last_point, m_best;
 
 public:
   // An enclosure of the root of the region; `bits` after the binary point are aimed at where coordinates are rational.
@@ -83,7 +139,7 @@ public:
   {
     const int n = static_cast<int>(region.lower.size());
     region.source->set_matrix(region.matrix);
-    for (auto* v : {&m_step, &m_radius, &m_width})
+    for (auto* v : {&m_step, &m_step_error, &m_radius, &m_width})
       v->resize(n);
     m_point.resize(n);
     for (int j = 0; j < n; ++j) {
@@ -93,17 +149,20 @@ public:
     m_best = m_point;   // with the whole region around it, should no step be finite
     m_best_radius = m_width;
     double best = HUGE_VAL;
-    int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
-    m_shortest.assign(n, HUGE_VAL);
-    m_last_step.assign(n, 0);
-    for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
-      const double error = newton_step(region, bits);
+    const auto keep_if_best = [&](double error) {
       if (error < best) {
         best = error;
         m_best = m_point;
         m_best_radius = m_radius;
       }
-      if (best <= 0.5)
+      return best <= 0.5;
+    };
+    int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
+    m_shortest.assign(n, HUGE_VAL);
+    m_last_step.assign(n, 0);
+    for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
+      const double error = newton_step(region, bits);
+      if (keep_if_best(error))
         break;
       ++idle;
       for (int j = 0; j < n; ++j)
@@ -111,10 +170,13 @@ public:
           m_shortest[j] = std::abs(m_step[j]);
           idle = 0;
         }
+      m_last_point = m_point;
       for (int j = 0; j < n; ++j) {
         m_point[j] = stepped(m_point[j], -extrapolated_step(j, iteration) * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
       }
+      if (std::isfinite(error) && keep_if_best(error_after_step(region, bits)))
+        break;
     }
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
@@ -153,7 +215,8 @@ private:
         size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
       }
       m_step[j] = step;
-      m_radius[j] = std::abs(step) + 0x1p-44 * size;
+      m_step_error[j] = 0x1p-44 * size;
+      m_radius[j] = std::abs(step) + m_step_error[j];
       if (!std::isfinite(m_radius[j]))
         return HUGE_VAL;   // out of the range of double: no distance is known
       largest = (std::max)(largest, m_radius[j] / weight(j));
@@ -173,11 +236,33 @@ private:
         m_distance[j] = (std::min)(m_distance[j], bound);
       }
     }
-    double error = 0;
-    for (int j = 0; j < n; ++j) {
+    for (int j = 0; j < n; ++j)
       m_radius[j] = m_distance[j] * m_width[j] * (1 + 0x1p-40);
-      error = (std::max)(error, m_radius[j] / resolution(m_point[j], m_width[j], bits));
+    return largest_error(bits);
+  }
+
+  // The same after the step from m_last_point to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is z - C f(z) but for rounding.
+  // Where the step went elsewhere, the difference counts as rounding. \pre newton_step() found finite distances
+  double error_after_step(const Certified_region<Coordinate>& region, int bits)
+  {
+    const int n = static_cast<int>(region.lower.size());
+    for (int j = 0; j < n; ++j) {
+      double bound = m_step_error[j];
+      for (int k = 0; k < n; ++k)
+        bound += region.bounds[j * n + k] * m_distance[k];
+      const double wanted = m_step[j] * m_width[j], taken = CGAL::to_double(Coordinate(m_last_point[j] - m_point[j]));
+      const double rounding = std::abs(wanted - taken) + 0x1p-47 * (std::abs(wanted) + std::abs(taken));
+      m_radius[j] = (bound * m_width[j] + rounding) * (1 + 0x1p-40) + 0x1p-1020;
     }
+    return largest_error(bits);
+  }
+
+  // The largest entry of m_radius in units of the resolution.
+  double largest_error(int bits) const
+  {
+    double error = 0;
+    for (std::size_t j = 0; j < m_radius.size(); ++j)
+      error = (std::max)(error, m_radius[j] / resolution(m_point[j], m_width[j], bits));
     return error;
   }
 };

@@ -10,11 +10,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline Exact_rational quotient(const Big_integer& numerator, const Big_integer& denominator)
-{
-  return scaled_rational(numerator, 0) / scaled_rational(denominator, 0);
-}
-
 inline void check_number_of_terms(std::size_t size)
 {
   if (size > Power_polynomial::maximal_number_of_terms)

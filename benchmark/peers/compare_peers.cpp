@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Intersections of planar Bezier curves, and a few polynomial systems: this package beside the programs that users would take instead, in one run on one machine. Prints tables
+// in Markdown. Names of problems on the command line select them.
+#include "curve_intersection.h"
+#include "curve_problems.h"
+#include "repeated_runs.h"
+#include "system_problems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace peers {
+namespace {
+
+struct Program
+{
+  std::string name;
+  Run (*intersect)(const Bezier_curve&, const Bezier_curve&);   // null where it is not installed
+};
+
+// This package first.
+std::vector<Program> programs()
+{
+  return {{"this package", intersect_with_spline_constraints},
+#ifdef PEERS_SISL
+          {"SISL, `s1857`", intersect_with_sisl},
+#else
+          {"SISL, `s1857`", nullptr},
+#endif
+#ifdef PEERS_OPEN_CASCADE
+          {"OpenCASCADE " PEERS_OPEN_CASCADE ", `Geom2dAPI_InterCurveCurve`", intersect_with_open_cascade},
+#else
+          {"OpenCASCADE, `Geom2dAPI_InterCurveCurve`", nullptr},
+#endif
+#ifdef PEERS_ALGEBRAIC_KERNEL
+          {"CGAL " PEERS_CGAL ", `Algebraic_kernel_d_2`", intersect_with_algebraic_kernel},
+#else
+          {"CGAL, `Algebraic_kernel_d_2`", nullptr},
+#endif
+#ifdef PEERS_BEZIER_TRAITS
+          {"CGAL " PEERS_CGAL ", `Arr_Bezier_curve_traits_2`", intersect_with_bezier_traits}
+#else
+          {"CGAL, `Arr_Bezier_curve_traits_2`", nullptr}
+#endif
+  };
+}
+
+double median(std::vector<double> values)
+{
+  if (values.empty())
+    return NAN;
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+template <class Projection>
+double median(const Runs& runs, const Projection& projection)
+{
+  std::vector<double> values;
+  for (const Run& run : runs.runs)
+    values.push_back(static_cast<double>(projection(run.phases)));
+  return median(std::move(values));
+}
+
+double total(const Runs& runs) { return median(runs, [](const Phases& phases) { return phases.total; }); }
+
+std::string formatted(double value)
+{
+  std::ostringstream out;
+  const int digits = value < 10 ? 2 : value < 100 ? 1 : 0;
+  out << std::fixed << std::setprecision(value == 0 ? 0 : value < 0.1 ? 3 : digits) << value;
+  return out.str();
+}
+
+std::string milliseconds(double seconds) { return formatted(1e3 * seconds); }
+
+std::string in_words(const Intersections& answer)
+{
+  const auto count = [](int n, const std::string& what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); };
+  std::string text;
+  if (answer.points > 0 || (answer.overlaps == 0 && answer.undecided == 0))
+    text = std::to_string(answer.points);
+  if (answer.overlaps > 0)
+    text += (text.empty() ? "" : " + ") + count(answer.overlaps, "overlap");
+  if (answer.undecided > 0)
+    text += (text.empty() ? "" : " + ") + std::to_string(answer.undecided) + " undecided" + (answer.is_overlap_suspected ? ", overlap suspected" : "");
+  return answer.has_failed ? text + ", reports failure" : text;
+}
+
+bool is_right(const Runs& runs, const Intersections& truth)
+{
+  return runs.end == Runs::End::FINISHED && !runs.runs.empty() && runs.runs.front().answer == truth;
+}
+
+std::string cell(const Runs& runs, const Intersections& truth)
+{
+  if (runs.end == Runs::End::TIMED_OUT)
+    return "**no answer in time**";
+  if (runs.end == Runs::End::CRASHED || runs.runs.empty())
+    return "**crash**";
+  const std::string answer = in_words(runs.runs.front().answer);
+  return milliseconds(total(runs)) + " · " + (is_right(runs, truth) ? answer : "**" + answer + "**");
+}
+
+// In rounds over the programs, so that a slow spell of the machine falls on all of them.
+std::vector<Runs> runs_of(const Curve_problem& problem, const std::vector<Program>& programs)
+{
+  constexpr int rounds = 3;
+  const Run_limits limits{.least_runs = 2, .seconds = 0.1, .longest_seconds = 0.7, .kill_seconds = 20};
+  std::vector<Runs> result(programs.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (programs[i].intersect == nullptr || result[i].end != Runs::End::FINISHED)
+        continue;
+      const Runs more = repeated_runs([&] { return programs[i].intersect(problem.first, problem.second); }, limits);
+      result[i].end = more.end;
+      result[i].runs.insert(result[i].runs.end(), more.runs.begin(), more.runs.end());
+    }
+  return result;
+}
+
+// This package beside the fastest of the others that is right.
+std::string ratio(const std::vector<Runs>& runs, const Intersections& truth)
+{
+  double fastest = HUGE_VAL;
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    if (is_right(runs[i], truth))
+      fastest = (std::min)(fastest, total(runs[i]));
+  if (runs[0].runs.empty())
+    return "-";
+  return std::isinf(fastest) ? "no other is right" : formatted(total(runs[0]) / fastest);
+}
+
+void print_row(const std::vector<std::string>& cells)
+{
+  std::cout << '|';
+  for (const std::string& cell : cells)
+    std::cout << ' ' << cell << " |";
+  std::cout << std::endl;
+}
+
+void print_header(const std::vector<std::string>& cells)
+{
+  print_row(cells);
+  print_row(std::vector<std::string>(cells.size(), "---"));
+}
+
+void compare_curve_intersections(const std::vector<Program>& programs, const std::set<std::string>& selected)
+{
+  std::cout << "Intersections of two Bezier curves: CPU time in ms, from the control points to the answer, and the number of intersections; wrong ones, and what is "
+               "not an answer, in bold. Ratio: time of this package to that of the fastest other program that is right.\n\n";
+  std::vector<std::string> header{"problem", "truth"};
+  for (const Program& program : programs)
+    header.push_back(program.name);
+  header.push_back("ratio");
+  print_header(header);
+  std::vector<std::vector<std::string>> details;
+  for (const Curve_problem& problem : curve_problems()) {
+    if (!selected.empty() && !selected.contains(problem.name))
+      continue;
+    const std::vector<Runs> runs = runs_of(problem, programs);
+    std::vector<std::string> row{problem.name + ' ' + problem.description, in_words(problem.truth)};
+    for (std::size_t i = 0; i < programs.size(); ++i)
+      row.push_back(programs[i].intersect == nullptr ? "not installed" : cell(runs[i], problem.truth));
+    row.push_back(ratio(runs, problem.truth));
+    print_row(row);
+
+    const Runs& own = runs[0];
+    const auto of = [&](const auto& projection) { return median(own, projection); };
+    const double building = of([](const Phases& p) { return p.building; }), setup = of([](const Phases& p) { return p.setup; }),
+                 rebuilding = of([](const Phases& p) { return p.rebuilding; }), refinement = of([](const Phases& p) { return p.refinement; });
+    details.push_back({problem.name, formatted(of([](const Phases& p) { return p.nodes; })), formatted(of([](const Phases& p) { return p.rebuilds; })),
+                       milliseconds(total(own)), milliseconds(building), milliseconds(setup), milliseconds(rebuilding), milliseconds(refinement),
+                       milliseconds(total(own) - building - setup - rebuilding - refinement)});
+  }
+  std::cout << "\nWhere the time of this package goes, in ms:\n\n";
+  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds", "refinement of roots", "subdivision and the rest"});
+  for (const auto& row : details)
+    print_row(row);
+}
+
+void print_system_problems(const std::set<std::string>& selected)
+{
+  std::cout << "\nSystems for which the others cannot be installed here. Time of this package in ms, from the system to the answer. The numbers beside it are *quoted*: they were "
+               "measured elsewhere, on another machine, and say no more than the order of magnitude.\n\n";
+  print_header({"system", "this package", "quoted, other machine"});
+  for (const System_problem& problem : system_problems()) {
+    if (!selected.empty() && !selected.contains(problem.name))
+      continue;
+    const Runs runs = repeated_runs([&] { return solve_system(problem.system); }, {.least_runs = 5, .seconds = 0.3});
+    print_row({problem.name, cell(runs, problem.truth), problem.quoted});
+  }
+}
+
+} // namespace
+} // namespace peers
+
+int main(int argc, char** argv)
+{
+  const std::set<std::string> selected(argv + 1, argv + argc);
+  const std::vector<peers::Program> programs = peers::programs();
+  peers::compare_curve_intersections(programs, selected);
+  peers::print_system_problems(selected);
+}
