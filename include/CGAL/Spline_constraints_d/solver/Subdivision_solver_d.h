@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_walk.h>
+#include <CGAL/Spline_constraints_d/solver/Univariate_solver.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
 #include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
@@ -61,6 +62,18 @@ public:
     Default_solver_visitor visitor;
     return (*this)(system, visitor);
   }
+
+private:
+  static Solution_set finished(std::vector<typename Solution_set::Solution> solutions, Summary summary, const internal::Run_control& control)
+  {
+    for (const auto& solution : solutions)
+      if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
+        summary.is_complete = false;
+        summary.why_not = solution.reason();
+      }
+    summary.seconds = control.seconds();
+    return Solution_set(std::move(solutions), summary);
+  }
 };
 
 template <ConstraintSolverTraits Traits, class Concurrency_tag>
@@ -77,6 +90,9 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
   Summary summary;
   internal::Run_control control(visitor, m_options);
+  if constexpr (std::same_as<Traits, Certified_solver_traits>)
+    if (n == 1)
+      return finished(internal::Univariate_solver(system, m_options, control, summary).solve(), summary, control);
   const internal::System_layout layout(system);
   internal::Subdivision_walk<Traits, Concurrency_tag> walk(system, layout, m_options, control);
   summary.setup_seconds = control.seconds();
@@ -95,13 +111,7 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
   } else
     for (const auto& box : walk.open_boxes())
       solutions.push_back(internal::classified<Number_type>(system, box));
-  for (const auto& solution : solutions)
-    if (solution.kind() == Solution_kind::UNDECIDED && summary.is_complete) {
-      summary.is_complete = false;
-      summary.why_not = solution.reason();
-    }
-  summary.seconds = control.seconds();
-  return Solution_set(std::move(solutions), summary);
+  return finished(std::move(solutions), summary, control);
 }
 
 /*!

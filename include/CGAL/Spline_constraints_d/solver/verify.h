@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/exact_enclosures.h>
+#include <CGAL/Spline_constraints_d/solver/internal/univariate_verification.h>
 
 #include <algorithm>
 #include <cmath>
@@ -445,7 +446,10 @@ look rational are fixed, and the operator has to prove a zero of the other coord
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some coordinates that look rational and others by the
 operator, as above. How many there are is not proved.
 
-Other kinds of answers carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
+With *one unknown*, what these do not prove is left to Sturm's theorem: the number of roots of the greatest common divisor of the equalities in the box, piece by piece, and the signs of
+the inequalities there; for a *continuum*, that all points of the box are solutions, up to a rounding error at its ends.
+
+Undecided answers, and continua of more unknowns, carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
 
 Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few times over. Independent of the rounding mode.
 
@@ -467,13 +471,14 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   }
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;
+  bool is_proved = false;
   switch (solution.kind()) {
-  case Solution_kind::CERTIFIED: return internal::verification::has_one_solution(system, box);
-  case Solution_kind::CLUSTER: return internal::verification::has_solution(system, box);
+  case Solution_kind::CERTIFIED: is_proved = internal::verification::has_one_solution(system, box); break;
+  case Solution_kind::CLUSTER: is_proved = internal::verification::has_solution(system, box); break;
   case Solution_kind::CONTINUUM:
   case Solution_kind::UNDECIDED: break;
   }
-  return false;
+  return is_proved || (box.size() == 1 && internal::verification::univariate::Proof(system, box[0]).succeeds(solution.kind()));
 }
 
 } // namespace Spline_constraints
