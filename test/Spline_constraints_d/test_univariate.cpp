@@ -201,6 +201,11 @@ TEST(Univariate, Breaks)
   expect_solutions(on(0, 4, {polygon(0, {2, 0, 3, fraction(1, 1000000), 1})}), {{1, 0}});
 }
 
+TEST(Univariate, HighDegree)
+{
+  expect_solutions(on(-2, 2, {pow(x, 800) - fraction(1, 2)}), {{Coordinate::near(-std::pow(0.5, 1 / 800.0), 1e-15)}, {Coordinate::near(std::pow(0.5, 1 / 800.0), 1e-15)}});
+}
+
 static void expect_continua(const System& system, const std::vector<std::pair<Coordinate, Coordinate>>& continua, const std::vector<Expected>& others = {})
 {
   const auto solutions = solve(system);

@@ -20,8 +20,9 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-All solutions of a system in one unknown. Cell by cell, the roots in the interior come from `Univariate_walk`, those at its ends from exact division; then the ends are joined, the inequalities decided,
-in exact arithmetic where intervals do not decide them, and regions laid between neighbours. So nothing is undecided unless a limit is reached.
+All solutions of a system in one unknown. Cell by cell, the roots in the interior come from `Univariate_walk`, those at its ends from exact division, and the inequalities
+are decided, in exact arithmetic where intervals do not decide them; then the cells are joined, and regions laid between neighbours. So nothing is undecided unless a limit
+is reached.
 */
 class Univariate_solver
 {
@@ -202,25 +203,41 @@ private:
       m_answers.push_back(std::move(answer));
   }
 
+  Solution reported(std::size_t i) const { return m_answers[i].exact ? exact_solution(i) : double_solution(i); }
+
   // The region of a root ends half way to the next answers, of those that do not satisfy the inequalities too; at the ends of the domain, or beyond them if it lies there.
-  Solution reported(std::size_t i) const
+  Solution double_solution(std::size_t i) const
   {
-    const Univariate_answer &answer = m_answers[i], *left = i > 0 ? &m_answers[i - 1] : nullptr, *right = i + 1 < m_answers.size() ? &m_answers[i + 1] : nullptr;
-    if (!answer.exact) {
-      const double begin = left == nullptr ? to_double_interval(m_system.domain(0).first).second : middle(left->exact ? to_double_interval(left->end()).second : left->upper, answer.lower);
-      const double end = right == nullptr ? to_double_interval(m_system.domain(0).second).first : middle(right->exact ? to_double_interval(right->begin()).first : right->lower, answer.upper);
-      return Solution(answer.kind, {{answer.lower, answer.upper}}, {{(std::min)(begin, answer.lower), (std::max)(end, answer.upper)}}, Number_traits<double>::name, answer.reason,
-                      answer.multiplicity);
-    }
-    Solution_d<Exact_rational>::Box region;
-    if (answer.kind == Solution_kind::CERTIFIED) {
-      const auto& [first, last] = m_system.domain(0);
-      const Exact_rational &begin = answer.exact->lower(), &end = answer.exact->upper(), two(2);
-      region.emplace_back(left != nullptr ? Exact_rational((left->end() + begin) / two) : first < begin ? first : beyond(begin, m_found.front().polynomial, -1),
-                          right != nullptr ? Exact_rational((right->begin() + end) / two) : end < last ? last : beyond(end, m_found.back().polynomial, 1));
-    }
-    return Solution(Solution_d<Exact_rational>(answer.kind, {{answer.exact->lower(), answer.exact->upper()}}, region, Number_traits<Exact_rational>::name, answer.reason, answer.multiplicity), 0);
+    const Univariate_answer& answer = m_answers[i];
+    const auto [first, last] = m_system.domain(0);
+    double begin = i == 0 ? to_double_interval(first).second : upper_end(m_answers[i - 1]);
+    double end = i + 1 == m_answers.size() ? to_double_interval(last).first : lower_end(m_answers[i + 1]);
+    if (i > 0)
+      begin = middle(begin, answer.lower);
+    if (i + 1 < m_answers.size())
+      end = middle(end, answer.upper);
+    const Solution::Box region{{(std::min)(begin, answer.lower), (std::max)(end, answer.upper)}};
+    return Solution(answer.kind, {{answer.lower, answer.upper}}, region, Number_traits<double>::name, answer.reason, answer.multiplicity);
   }
+
+  Solution exact_solution(std::size_t i) const
+  {
+    using Fine = Solution_d<Exact_rational>;
+    const Univariate_answer& answer = m_answers[i];
+    const Exact_rational &begin = answer.exact->lower(), &end = answer.exact->upper(), two(2);
+    Fine::Box region;
+    if (answer.kind == Solution_kind::CERTIFIED) {
+      const auto [first, last] = m_system.domain(0);
+      const Exact_rational lower = i > 0 ? Exact_rational((m_answers[i - 1].end() + begin) / two) : first < begin ? first : beyond(begin, m_found.front().polynomial, -1);
+      const bool has_right = i + 1 < m_answers.size();
+      const Exact_rational upper = has_right ? Exact_rational((m_answers[i + 1].begin() + end) / two) : end < last ? last : beyond(end, m_found.back().polynomial, 1);
+      region.emplace_back(lower, upper);
+    }
+    return Solution(Fine(answer.kind, {{begin, end}}, region, Number_traits<Exact_rational>::name, answer.reason, answer.multiplicity), 0);
+  }
+
+  static double lower_end(const Univariate_answer& answer) { return answer.exact ? to_double_interval(answer.exact->lower()).first : answer.lower; }
+  static double upper_end(const Univariate_answer& answer) { return answer.exact ? to_double_interval(answer.exact->upper()).second : answer.upper; }
 
   // Between the end of another answer, which is not given, and that of this one.
   static double middle(double other, double own)

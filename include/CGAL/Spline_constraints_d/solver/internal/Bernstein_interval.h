@@ -18,8 +18,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A node of the subdivision in one unknown: an interval with the Bernstein coefficients of a polynomial times 2^-scale, in double, and a bound on their errors. The signs at the ends are exact
-and not zero.
+A node of the subdivision in one unknown: an interval with the Bernstein coefficients of a polynomial times 2^-scale, in double, and a bound on their errors. The signs at
+the ends are exact and not zero.
 */
 struct Bernstein_interval
 {
@@ -30,16 +30,16 @@ struct Bernstein_interval
   long scale = 0;
   int cuts = 0;   // since the values were computed from the integers
 
-  // Computes the values anew. The largest lies in [1/2, 1); truncation, a rounded denominator and a division are 3 x 2^-52, and 2^-1000 covers what underflows.
+  // Computes the values anew. The largest lies in [1/4, 1]; truncation, a rounded denominator and a division are 3 x 2^-52, and 2^-1000 covers what underflows.
   void rebuild(const Integer_polynomial& polynomial)
   {
     const auto exact = polynomial.bernstein(lower, upper);
     long most = 0;
     for (const Big_integer& value : exact.values)
       most = (std::max)(most, bit_length(value));
-    const long shift = bit_length(polynomial.denominator()) - 1 - most;
-    const double denominator = approximate(polynomial.denominator());
-    scale = exact.exponent - shift;
+    const long shift = -most - 1, denominator_shift = -bit_length(polynomial.denominator());
+    const double denominator = to_scaled_double(polynomial.denominator(), denominator_shift);
+    scale = exact.exponent + denominator_shift - shift;
     values.resize(exact.values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = to_scaled_double(exact.values[i], shift) / denominator;
@@ -91,6 +91,16 @@ struct Bernstein_interval
   }
 
   double point_at(double t) const { return std::isfinite(upper - lower) ? lower + t * (upper - lower) : (1 - t) * lower + t * upper; }
+
+  // Where the control polygon leaves the sign of the lower end.
+  double crossing_of_polygon() const
+  {
+    const std::size_t d = values.size() - 1;
+    for (std::size_t k = 1; k <= d; ++k)
+      if (values[k] * lower_sign < 0)
+        return (static_cast<double>(k - 1) + values[k - 1] / (values[k - 1] - values[k])) / static_cast<double>(d);
+    return 0.5;
+  }
 
   // The value and the derivative by t, nearly. \pre degree at least 1
   std::pair<double, double> value_and_slope(double t, std::vector<double>& work) const

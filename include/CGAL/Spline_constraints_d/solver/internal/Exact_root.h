@@ -134,7 +134,8 @@ private:
 
 /*
 Isolates the roots of a polynomial without multiple roots between two dyadic points by Descartes' rule: the sign variations of the Bernstein coefficients on an interval are at
-least the number of roots in its interior, and equal to it where they are none or one (Collins, Akritas 1976; in Bernstein form Rouillier, Zimmermann 2004). The interval is halved until they are.
+least the number of roots in its interior, and equal to it where they are none or one (Collins, Akritas 1976; in Bernstein form Rouillier, Zimmermann 2004). The interval
+is halved until they are.
 Calls `is_stopped()` for every interval, and `left_open(lower, upper)` for those that are left when it says so.
 */
 template <class Predicate, class Visitor>

@@ -46,8 +46,9 @@ inline Univariate_answer interval_answer(Solution_kind kind, const Exact_rationa
 }
 
 /*
-Finds the roots of a polynomial in an open interval, at whose ends it does not vanish, by Descartes' rule on Bernstein coefficients in double. Intervals are cut where the polynomial has a
-certain sign, so each root lies in the interior of one of them. An interval that cannot be cut any more, as around a multiple root, goes to the square-free factors and exact arithmetic.
+Finds the roots of a polynomial in an open interval, at whose ends it does not vanish, by Descartes' rule on Bernstein coefficients in double. Intervals are cut where the
+polynomial has a certain sign, so each root lies in the interior of one of them. An interval that cannot be cut any more, as around a multiple root, goes to the
+square-free factors and exact arithmetic.
 */
 class Univariate_walk
 {
@@ -92,8 +93,9 @@ public:
       } else if (node.cuts > 0 && is_blurred(node, variations))
         rebuild(node);
       else if (is_too_narrow(node) || !split()) {
-        solve_exactly(node);
-        finish(node);
+        const Bernstein_interval& same = m_stack[m_size - 1];   // the stack may have moved
+        solve_exactly(same);
+        finish(same);
       }
     }
     return std::exchange(m_answers, {});
@@ -151,7 +153,6 @@ private:
     m_width = node.upper / 2 - node.lower / 2;
     m_size = 1;
     rebuild(node);
-    --m_summary.restarts;
   }
 
   void rebuild(Bernstein_interval& node)
@@ -182,23 +183,23 @@ private:
     Bernstein_interval &node = m_stack[m_size - 1], &below = m_stack[m_size];
     constexpr int attempts = 16;
     const double first = m_size == 1 && node.cuts == 0 ? 125.0 / 256 : 0.5;
-    double at = 0;
-    int sign = 0;
-    for (int i = 0; i < attempts && sign == 0; ++i) {
-      at = node.point_at(first + i / 256.0);
+    for (int i = 0; i < attempts; ++i) {
+      const double at = node.point_at(first + i / 256.0);
       if (!(node.lower < at && at < node.upper))
         return false;
-      const double value = node.value_and_slope(node.place_of(at), m_work).first;
-      const double error = node.error + 10 * static_cast<double>(node.values.size()) * 0x1p-52 * (node.largest() + 2 * node.error);
-      sign = value > error ? 1 : value < -error ? -1 : static_cast<int>(m_polynomial->sign_at(at));
+      node.split(at, below);
+      const double value = below.values.back();
+      const int sign = value > node.error ? 1 : value < -node.error ? -1 : static_cast<int>(m_polynomial->sign_at(at));
+      if (sign != 0) {
+        below.upper_sign = node.lower_sign = sign;
+        m_summary.depth = (std::max)(m_summary.depth, node.cuts);
+        ++m_size;
+        return true;
+      }
+      node.lower = below.lower;   // as if nothing had happened
+      rebuild(node);
     }
-    if (sign == 0)
-      return false;
-    node.split(at, below);
-    below.upper_sign = node.lower_sign = sign;
-    m_summary.depth = (std::max)(m_summary.depth, node.cuts);
-    ++m_size;
-    return true;
+    return false;
   }
 
   // The node on top of the stack is done.
@@ -248,12 +249,12 @@ private:
   }
 
   /*
-  The only root of a node, between doubles a few units of the last place apart at which the polynomial has different signs, exactly; or the double that it is. Newton's method with exact
-  residuals, and points on both sides of where it leads to; where that does not halve the interval, it is cut in the middle.
+  The only root of a node, between doubles a few units of the last place apart at which the polynomial has different signs, exactly; or the double that it is. Newton's
+  method with exact residuals, and points on both sides of where it leads to; where that does not halve the interval, it is cut in the middle.
   */
   std::pair<double, double> refined(const Bernstein_interval& node)
   {
-    double lower = node.lower, upper = node.upper, t = 0.5, slope = 0;
+    double lower = node.lower, upper = node.upper, t = node.crossing_of_polygon(), slope = 0;
     for (int iteration = 0; iteration < 12; ++iteration) {
       const auto [value, slope_here] = node.value_and_slope(t, m_work);
       slope = slope_here;
@@ -299,8 +300,8 @@ private:
   {
     const Clock::time_point begin = Clock::now();
     for (auto& [root, exponent] : exact_roots_between(Exact_rational(node.lower), Exact_rational(node.upper)))
-      if (clip(root))
-        m_answers.push_back({exponent == 1 ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER, Undecided_reason::NONE, exponent, std::move(root)});
+      if (const Solution_kind kind = exponent == 1 ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER; clip(root))
+        m_answers.push_back({kind, Undecided_reason::NONE, exponent, std::move(root)});
     m_summary.refinement_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
 

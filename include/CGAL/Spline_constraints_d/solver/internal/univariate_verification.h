@@ -182,7 +182,15 @@ public:
   {
     bool is_defined = m_range.lower <= m_range.upper;
     for_each_function([&](const Spline_function& function) { is_defined = is_defined && is_continuous(function, {m_range}); });
-    return is_defined && (kind == Solution_kind::CERTIFIED ? has_one_solution() : kind == Solution_kind::CLUSTER ? has_solution() : kind == Solution_kind::CONTINUUM && are_solutions());
+    if (!is_defined)
+      return false;
+    switch (kind) {
+    case Solution_kind::CERTIFIED: return has_one_solution();
+    case Solution_kind::CLUSTER: return has_solution();
+    case Solution_kind::CONTINUUM: return are_solutions();
+    case Solution_kind::UNDECIDED: break;
+    }
+    return false;
   }
 
 private:
