@@ -7,10 +7,12 @@
 
 #include <CGAL/Spline_constraints_d/solver/batch.h>
 
+#include <algorithm>
 #include <deque>
-#include <ranges>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace solver_test;
 
@@ -50,11 +52,12 @@ TEST(Batch, Ranges)
   for (const Problem& problem : all)
     systems.push_back(problem.system);
   EXPECT_EQ(solve(systems).size(), all.size());
-  const auto reversed = solve(systems | std::views::reverse);
+  std::reverse(systems.begin(), systems.end());
+  const auto reversed = solve(std::as_const(systems));
   ASSERT_EQ(reversed.size(), all.size());
   expect_solved(all.back(), reversed.front());
   expect_solved(all.front(), reversed.back());
-  EXPECT_EQ(solve(std::span(&systems[1], 1), {.tolerance = 1e-12}).size(), 1u);
+  EXPECT_EQ(solve(std::span<const System>(&systems[1], 1), {.tolerance = 1e-12}).size(), 1u);
   EXPECT_TRUE(solve(std::vector<System>()).empty());
 }
 

@@ -66,7 +66,7 @@ inline std::vector<Integer_polynomial> integer_pieces(const Spline_function& fun
 // The cells of a system in one unknown, from left to right. Breaks where no polynomial changes are none. A domain that is a point is one cell.
 inline std::vector<Univariate_cell> univariate_cells(const Constraint_system_d& system)
 {
-  const auto& [lower, upper] = system.domain(0);
+  const Exact_rational &lower = system.domain(0).first, &upper = system.domain(0).second;
   std::vector<Exact_rational> breaks{lower, upper};
   const auto add_breaks = [&](const Spline_function& function) {
     for (const Spline_term& term : function.terms())
