@@ -6,19 +6,23 @@
 // Names are problem/policy or problem/number type. Counters: certified roots, clusters and undecided boxes, nodes, time per node (of the whole
 // run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup, rebuilding and refinement of roots in
 // the time. A run ends after 20 s or 3 million nodes.
-// The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns.
+// The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns,
+// `univariate/...` one with the path for one unknown and the one for many.
+// `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock.
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
 
 #include "benchmark_systems.h"
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/batch.h>
 
 #include <benchmark/benchmark.h>
 
 #include <time.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -79,30 +83,61 @@ void solve(benchmark::State& state, const System& system)
   state.counters["refinement"] = refinement / total;
 }
 
+double median(std::vector<double> times)
+{
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
 // Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians.
+template <class First, class Second, class Clock>
+void compare(benchmark::State& state, const First& first, const Second& second, const std::string& first_name, const std::string& second_name, const Clock& clock)
+{
+  std::vector<double> first_times, second_times;
+  const auto run = [&](const auto& solve_all, std::vector<double>& times) {
+    const double start = clock();
+    solve_all();
+    times.push_back(clock() - start);
+  };
+  for (auto _ : state) {
+    run(first, first_times);
+    run(second, second_times);
+  }
+  state.counters[first_name + "_ms"] = 1000 * median(first_times);
+  state.counters[second_name + "_ms"] = 1000 * median(second_times);
+  state.counters[first_name + "_to_" + second_name] = median(first_times) / median(second_times);
+}
+
+template <class First, class Second>
+void compare_traits(benchmark::State& state, const System& system, const std::string& first_name, const std::string& second_name)
+{
+  const SC::Subdivision_solver_d<First> first(limits());
+  const SC::Subdivision_solver_d<Second> second(limits());
+  compare(state, [&] { benchmark::DoNotOptimize(first(system)); }, [&] { benchmark::DoNotOptimize(second(system)); }, first_name, second_name, seconds_of_thread);
+}
+
 void certified_to_fast(benchmark::State& state, const System& system)
 {
-  std::vector<double> certified, fast;
-  const auto run = [&](const auto& solver, std::vector<double>& times) {
-    const double start = seconds_of_thread();
-    benchmark::DoNotOptimize(solver(system));
-    times.push_back(seconds_of_thread() - start);
+  compare_traits<SC::Certified_solver_traits, SC::Fast_solver_traits>(state, system, "certified", "fast");
+}
+
+// The splitter does not matter where there is one axis, but other traits than the default take the path for many unknowns.
+void univariate_to_general(benchmark::State& state, const System& system)
+{
+  compare_traits<SC::Certified_solver_traits, Widest>(state, system, "univariate", "general");
+}
+
+template <class Concurrency_tag>
+void batch_to_loop(benchmark::State& state)
+{
+  const std::vector<System> systems = quadratic_systems(1000);
+  const auto loop = [&] {
+    for (const System& system : systems)
+      benchmark::DoNotOptimize(SC::solve(system));
   };
-  const SC::Subdivision_solver_d<SC::Certified_solver_traits> certified_solver(limits());
-  const SC::Subdivision_solver_d<SC::Fast_solver_traits> fast_solver(limits());
-  for (auto _ : state) {
-    run(certified_solver, certified);
-    run(fast_solver, fast);
-  }
-  const auto median = [](std::vector<double>& times) {
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
-  };
-  const double certified_time = median(certified), fast_time = median(fast);
-  state.counters["certified_ms"] = 1000 * certified_time;
-  state.counters["fast_ms"] = 1000 * fast_time;
-  state.counters["certified_to_fast"] = certified_time / fast_time;
+  const auto wall_clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+  compare(state, [&] { benchmark::DoNotOptimize(SC::solve<Concurrency_tag>(systems)); }, loop, "batch", "loop", wall_clock);
 }
 
 using Run = void (*)(benchmark::State&, const System&);
@@ -132,6 +167,8 @@ const Variants exact_number_types{{"multiprecision", solve<SC::Multiprecision_so
                                   {"exact", solve<SC::Exact_solver_traits>}};
 
 const Variants ratio{{"certified_to_fast", certified_to_fast}};
+
+const Variants paths{{"univariate_to_general", univariate_to_general}};
 
 bool add_all()
 {
@@ -164,6 +201,16 @@ bool add_all()
     problem.name = "ratio/" + problem.name;
     add(problem, ratio);
   }
+  for (int degree : {2, 10, 20, 40})
+    add(univariate_chebyshev(degree), paths);
+  for (int degree : {5, 6, 7, 8, 9, 10})
+    add(random_polynomial(degree), paths);
+  add(wilkinson(20), paths);
+  add(multiple_roots(), paths);
+  benchmark::RegisterBenchmark("batch/quadratic/sequential", batch_to_loop<CGAL::Sequential_tag>)->Unit(benchmark::kMillisecond);
+#ifdef CGAL_LINKED_WITH_TBB
+  benchmark::RegisterBenchmark("batch/quadratic/parallel", batch_to_loop<CGAL::Parallel_tag>)->Unit(benchmark::kMillisecond);
+#endif
   return true;
 }
 

@@ -154,6 +154,57 @@ inline Named_system random_splines()
   return {"splines/random", spline_curves(curves[0], curves[1])};
 }
 
+// Polynomials in one unknown: Chebyshev's, Wilkinson's, and random ones with coefficients up to 100.
+inline Named_system univariate(std::string name, const Rational& lower, const Rational& upper, const Polynomial& function)
+{
+  return {"univariate/" + std::move(name), solver_test::with_equalities(System({{lower, upper}}), {function})};
+}
+
+inline Named_system univariate_chebyshev(int degree)
+{
+  return univariate("chebyshev/" + std::to_string(degree), -1, 1, solver_test::chebyshev(degree, Polynomial::variable(0)));
+}
+
+inline Named_system wilkinson(int degree)
+{
+  Polynomial function(1);
+  for (int i = 1; i <= degree; ++i)
+    function *= Polynomial::variable(0) - i;
+  return univariate("wilkinson/" + std::to_string(degree), 0, degree + 1, function);
+}
+
+inline Named_system random_polynomial(int degree)
+{
+  std::mt19937 random(static_cast<unsigned>(degree));
+  Polynomial function;
+  for (int k = 0; k <= degree; ++k)
+    function += Rational(static_cast<int>(random() % 201) - 100) * pow(Polynomial::variable(0), k);
+  return univariate("random/" + std::to_string(degree), -2, 2, function);
+}
+
+// An irrational root of multiplicity two, and a rational one of multiplicity three.
+inline Named_system multiple_roots()
+{
+  const Polynomial x = Polynomial::variable(0);
+  return univariate("multiple_roots", 0, 2, square(x * x - 2) * pow(x - 1, 3));
+}
+
+// Systems of two random quadratic equations in two unknowns.
+inline std::vector<System> quadratic_systems(int count)
+{
+  std::mt19937 random(2026);
+  const auto coefficient = [&] { return Rational(static_cast<int>(random() % 21) - 10); };
+  const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1);
+  std::vector<System> systems;
+  for (int i = 0; i < count; ++i) {
+    std::vector<Polynomial> functions;
+    for (int k = 0; k < 2; ++k)
+      functions.push_back(coefficient() * x * x + coefficient() * x * y + coefficient() * y * y + coefficient() * x + coefficient() * y + coefficient());
+    systems.push_back(solver_test::with_equalities(solver_test::cube(2, -1, 1), functions));
+  }
+  return systems;
+}
+
 } // namespace solver_benchmark
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_BENCHMARK_BENCHMARK_SYSTEMS_H

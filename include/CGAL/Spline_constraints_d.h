@@ -14,6 +14,7 @@
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/batch.h>
 #include <CGAL/Spline_constraints_d/solver/newton_improvement.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 

@@ -9,6 +9,8 @@
 
 #include "solver_test_checks.h"
 
+#include <CGAL/Spline_constraints_d/solver/batch.h>
+
 #include <tbb/global_control.h>
 
 #include <atomic>
@@ -71,6 +73,53 @@ TEST(Parallel, SameUndecidedBoxes)
   check_both<SC::Certified_solver_traits>(circle, {.tolerance = 1e-6});
   for (std::size_t limit : {100, 500, 1500})
     check_both<SC::Certified_solver_traits>(cyclic_chebyshev(8, 2), {.node_limit = limit});
+}
+
+TEST(Parallel, OneUnknown)
+{
+  const Polynomial x = Polynomial::variable(0);
+  check_both<SC::Certified_solver_traits>(all_known("one unknown", with_equalities(cube(1, -1, 1), {square(2 * x * x - 1) * chebyshev(9, x)}), {}));
+}
+
+// Many systems of different size; some take multiprecision numbers, one has only one unknown.
+static std::vector<System> many_systems()
+{
+  const Polynomial x = Polynomial::variable(0), y = Polynomial::variable(1);
+  const Rational tiny = Rational(1e-30);
+  const std::vector<System> some{cyclic_chebyshev(2, 4).system, with_equalities(cube(2, -2, 2), {y - x * x, y - tiny}), broyden_tridiagonal(4).system,
+                                 cyclic_chebyshev(3, 3).system, with_equalities(cube(1, -2, 2), {square(x * x - 2)}), zigzag().system};
+  std::vector<System> systems;
+  for (int i = 0; i < 10; ++i)
+    systems.insert(systems.end(), some.begin(), some.end());
+  return systems;
+}
+
+TEST(Parallel, Batch)
+{
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  const std::vector<System> systems = many_systems();
+  const auto sequential = solve(systems), parallel = solve<CGAL::Parallel_tag>(systems);
+  ASSERT_EQ(sequential.size(), systems.size());
+  ASSERT_EQ(parallel.size(), systems.size());
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    EXPECT_GT(parallel[i].size(), 0u);
+    expect_equal(sequential[i], parallel[i]);
+  }
+}
+
+TEST(Parallel, BatchWithInvalidSystems)
+{
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 3);
+  std::vector<System> systems = many_systems();
+  for (std::size_t i : {55, 31, 17})
+    systems[i] = cube(3, 0, 1);
+  for (int run = 0; run < 5; ++run)
+    try {
+      solve<CGAL::Parallel_tag>(systems);
+      ADD_FAILURE() << "no exception";
+    } catch (const SC::Invalid_input& error) {
+      EXPECT_NE(std::string(error.what()).find("system 17 "), std::string::npos) << error.what();
+    }
 }
 
 struct Counting_visitor

@@ -105,7 +105,8 @@ TEST(Precision_ladder, EndsWhereItIsTold)
 // Irrational and not regular: no precision decides it, and the budget ends.
 TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
 {
-  const Problem problem{"double at an irrational point", with_equalities(cube(1, 0, 2), {square(x * x - 2)}), 1, {{Coordinate::near(std::sqrt(2.0))}}};
+  const Coordinate root = Coordinate::near(std::sqrt(2.0));
+  const Problem problem{"double at an irrational point", with_equalities(cube(2, 0, 2), {square(x * x - 2), y - x}), 1, {{root, root}}};
   const auto solutions = solve(problem.system);
   EXPECT_FALSE(solutions.is_complete());
   expect_nothing_lost(problem.known, solutions);

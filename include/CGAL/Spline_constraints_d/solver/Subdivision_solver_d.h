@@ -26,7 +26,8 @@ Finds all solutions of a system of at least as many spline equations as unknowns
 
 
 The box is subdivided; a part is dropped only on a proof that it holds no solution, and a solution is certified by a proof that a box around it holds exactly one
-(seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided.
+(seed 000, Algorithm 2.1, with the tests of the traits). What can be neither is reported as a cluster or as undecided. With one unknown and `Certified_solver_traits` nothing is undecided
+unless a limit is reached.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`.
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all cores through TBB. The answers are the same, in the same

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALL_SOLUTIONS_H
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_walk.h>
+#include <CGAL/Spline_constraints_d/solver/Univariate_solver.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
 #include <CGAL/Spline_constraints_d/solver/common_components.h>
 #include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
@@ -64,10 +65,13 @@ private:
 template <class Traits, class Concurrency_tag>
 class All_solutions;
 
-// All solutions of a system, in no order.
+// All solutions of a system, in no order. With one unknown the default traits have a path of their own.
 template <class Traits, class Concurrency_tag>
 auto all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
 {
+  if constexpr (std::same_as<Traits, Certified_solver_traits>)
+    if (system.dimension() == 1)
+      return Univariate_solver(system, options, control, summary).solve();
   return All_solutions<Traits, Concurrency_tag>(system, options, control, summary).take();
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/verification.h>
+#include <CGAL/Spline_constraints_d/solver/internal/univariate_verification.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +92,12 @@ A *cluster*: proves that the box holds a solution, which is its simplest rationa
 operator, as above. How many there are is not proved.
 
 A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all of it; and the inequalities hold, up to their boundary, on the boxes around
-16 parts of it. Other continua are not proved again.
+16 parts of it.
 
-Other kinds of answers carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
+With *one unknown*, what these do not prove is left to Sturm's theorem: the number of roots of the greatest common divisor of the equalities in the box, piece by piece, and the signs of
+the inequalities there; for a *continuum*, that all points of the box are solutions, up to a rounding error at its ends.
+
+Undecided answers, and other continua, carry no proof: `false`. So do boxes with a wrong number of ranges, or empty or infinite ones.
 
 Cost: \f$O(n^3)\f$ rational operations, and per equality \f$O(N \sum_j d_j)\f$ for pieces of \f$N\f$ coefficients, a few times over. Independent of the rounding mode.
 
@@ -115,13 +119,14 @@ bool verify(const Constraint_system_d& system, const Solution_d<Coordinate>& sol
   }
   if (box.size() != static_cast<std::size_t>(system.dimension()))
     return false;
+  bool is_proved = false;
   switch (solution.kind()) {
-  case Solution_kind::CERTIFIED: return internal::verification::has_one_solution(system, box);
-  case Solution_kind::CLUSTER: return internal::verification::has_solution(system, box);
-  case Solution_kind::CONTINUUM: return !solution.ends().empty() && internal::verification::is_segment_of_solutions(system, solution.ends());
+  case Solution_kind::CERTIFIED: is_proved = internal::verification::has_one_solution(system, box); break;
+  case Solution_kind::CLUSTER: is_proved = internal::verification::has_solution(system, box); break;
+  case Solution_kind::CONTINUUM: is_proved = !solution.ends().empty() && internal::verification::is_segment_of_solutions(system, solution.ends()); break;
   case Solution_kind::UNDECIDED: break;
   }
-  return false;
+  return is_proved || (box.size() == 1 && internal::verification::univariate::Proof(system, box[0]).succeeds(solution.kind()));
 }
 
 } // namespace Spline_constraints

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+
+#include <CGAL/tags.h>
+
+#include <atomic>
+#include <concepts>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <ranges>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+namespace CGAL {
+namespace Spline_constraints {
+
+namespace internal {
+
+// Calls task(i) for i = 0, ..., count - 1, each once, in order or in parallel. An `Invalid_input` is thrown on with the index in front: that of the smallest index, whatever the
+// order in time, so that tasks of larger ones may be left out then.
+template <class Concurrency_tag, class Task>
+void for_each_of_batch(std::size_t count, const Task& task)
+{
+  std::atomic<std::size_t> failed = (std::numeric_limits<std::size_t>::max)();
+  std::mutex mutex;
+  std::string message;
+  const auto run = [&](std::size_t i) {
+    if (i > failed.load(std::memory_order_acquire))
+      return;
+    try {
+      task(i);
+    } catch (const Invalid_input& error) {
+      const std::lock_guard lock(mutex);
+      if (i < failed) {
+        failed = i;
+        message = error.what();
+      }
+    }
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
+    // TBB orders all this already; the atomic number says so to tools that do not see into its library.
+    std::atomic<std::size_t> handed_over = 1;
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+      handed_over.fetch_add(1, std::memory_order_acq_rel);
+      run(i);
+      handed_over.fetch_add(1, std::memory_order_acq_rel);
+    });
+    handed_over.fetch_add(1, std::memory_order_acq_rel);
+  } else
+#else
+  static_assert(!std::is_convertible_v<Concurrency_tag, Parallel_tag>, "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
+#endif
+    for (std::size_t i = 0; i < count; ++i)
+      run(i);
+  if (failed != (std::numeric_limits<std::size_t>::max)())
+    throw Invalid_input("system " + std::to_string(failed) + " of a batch: " + message);
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+all solutions of each of many systems, with the default solver: the answers of `solve()` for one system at a time, in the order of the systems.
+
+The systems may differ in everything. They are independent of each other, so with `CGAL::Parallel_tag` whole systems are handed to the threads; the answers are the same.
+This is faster than solving each with all threads when systems are small. A time limit or a node limit counts for each system alone, not for the batch.
+
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to use all cores through TBB.
+\tparam Range a random access range of `Constraint_system_d`. With more than one thread, several elements are accessed at the same time.
+\throws Invalid_input when that is thrown for a system, or an option makes no sense; the message names the index of the system, the smallest one if there are several.
+There are no answers then.
+*/
+template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::random_access_range Range>
+  requires std::ranges::sized_range<Range> && std::same_as<std::ranges::range_value_t<Range>, Constraint_system_d>
+std::vector<Solution_set_d<double>> solve(Range&& systems, const Solver_options& options = {})
+{
+  const Subdivision_solver_d<Certified_solver_traits> solver(options);
+  std::vector<Solution_set_d<double>> results(static_cast<std::size_t>(std::ranges::size(systems)));
+  const auto first = std::ranges::begin(systems);
+  internal::for_each_of_batch<Concurrency_tag>(results.size(), [&](std::size_t i) {
+    results[i] = solver(first[static_cast<std::ranges::range_difference_t<Range>>(i)]);
+  });
+  return results;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
