@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact_enclosures.h>
+#include <CGAL/Spline_constraints_d/solver/internal/krawczyk_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,165 +22,6 @@ namespace Spline_constraints {
 namespace internal {
 
 namespace verification {
-
-// Row-major.
-struct Matrix
-{
-  std::size_t rows, columns;
-  std::vector<Exact_rational> entries;
-
-  Matrix(std::size_t rows, std::size_t columns) : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0)) {}
-  Exact_rational& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
-  const Exact_rational& operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
-};
-
-// Gauss-Jordan on (left | right): right becomes left^-1 right. False when left is singular.
-inline bool solve_linear(Matrix& left, Matrix& right)
-{
-  for (std::size_t c = 0; c < left.columns; ++c) {
-    std::size_t pivot = c;
-    while (pivot < left.rows && is_zero(left(pivot, c)))
-      ++pivot;
-    if (pivot == left.rows)
-      return false;
-    const Exact_rational factor = Exact_rational(1) / left(pivot, c);
-    for (Matrix* matrix : {&left, &right})
-      for (std::size_t k = 0; k < matrix->columns; ++k) {
-        std::swap((*matrix)(c, k), (*matrix)(pivot, k));
-        (*matrix)(c, k) *= factor;
-      }
-    for (std::size_t i = 0; i < left.rows; ++i)
-      if (const Exact_rational multiple = left(i, c); i != c && !is_zero(multiple))
-        for (Matrix* matrix : {&left, &right})
-          for (std::size_t k = 0; k < matrix->columns; ++k)
-            if (!is_zero((*matrix)(c, k)))
-              (*matrix)(i, k) -= multiple * (*matrix)(c, k);
-  }
-  return true;
-}
-
-// Any matrix near an inverse serves: digits beyond these only cost time.
-constexpr int digits = 128;
-
-// A left inverse of the middle of a Jacobian, rounded; empty when it has none.
-inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
-{
-  const std::size_t m = jacobian.size(), n = jacobian[0].size();
-  Matrix middle(m, n), inverse(n, m);
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      middle(i, j) = round_to_dyadic(Exact_rational((jacobian[i][j].lower + jacobian[i][j].upper) / Exact_rational(2)), digits);
-  Matrix square(n, n);
-  if (m == n) {
-    square = middle;
-    for (std::size_t i = 0; i < n; ++i)
-      inverse(i, i) = Exact_rational(1);
-  } else   // least squares
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        inverse(j, i) = middle(i, j);
-        for (std::size_t k = 0; k < n; ++k)
-          square(j, k) += middle(i, j) * middle(i, k);
-      }
-  if (!solve_linear(square, inverse))
-    return Matrix(0, 0);
-  for (Exact_rational& entry : inverse.entries)
-    entry = round_to_dyadic(entry, digits);
-  return inverse;
-}
-
-using Functions = std::vector<const Spline_function*>;
-using Axes = std::vector<std::size_t>;
-
-// The parts of a box between the breaks of the functions, where each of them is one polynomial.
-inline std::vector<Box> parts_between_breaks(const Functions& functions, const Box& box)
-{
-  std::vector<Box> parts{box};
-  for (const Spline_function* function : functions)
-    for (const Spline_term& term : function->terms())
-      for (std::size_t j = 0; j < term.variables.size(); ++j)
-        for (const Exact_rational& at : term.breaks[j]) {
-          const std::size_t axis = term.variables[j];
-          for (std::size_t i = parts.size(); i-- > 0;)
-            if (parts[i][axis].lower < at && at < parts[i][axis].upper) {
-              parts.push_back(parts[i]);
-              parts[i][axis].upper = at;
-              parts.back()[axis].lower = at;
-            }
-        }
-  return parts;
-}
-
-// Bounds on the derivatives, functions x unknowns.
-using Jacobian = std::vector<Box>;
-
-inline Jacobian jacobian_on(const Functions& functions, const Axes& axes, const Box& box)
-{
-  Box inside;   // a point of the interior: one piece of each function
-  for (const Exact_rational& x : middle_of(box))
-    inside.push_back({x, x});
-  Jacobian result;
-  for (const Spline_function* function : functions) {
-    const Box all = derivatives(*function, box, inside);
-    Box& row = result.emplace_back();
-    for (std::size_t axis : axes)
-      row.push_back(all[axis]);
-  }
-  return result;
-}
-
-inline Jacobian hull_of(const std::vector<Jacobian>& jacobians)
-{
-  Jacobian hull = jacobians.front();
-  for (const Jacobian& jacobian : jacobians)
-    for (std::size_t k = 0; k < hull.size(); ++k)
-      for (std::size_t j = 0; j < hull[k].size(); ++j)
-        extend(hull[k][j], jacobian[k][j].lower, jacobian[k][j].upper);
-  return hull;
-}
-
-// A bound on the entry (i, j) of |I - C J|.
-inline Exact_rational distance_from_identity(const Matrix& inverse, const Jacobian& jacobian, std::size_t i, std::size_t j)
-{
-  Exact_rational entry(i == j ? 1 : 0), spread(0);
-  for (std::size_t k = 0; k < jacobian.size(); ++k) {
-    const Range& range = jacobian[k][j];
-    entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
-    spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
-  }
-  return Exact_rational(absolute(entry) + spread);
-}
-
-// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the unknowns `axes`; the ranges of the others are single
-// numbers. I - C J is bounded between the breaks first, since the rows of C J cancel there. Gives the ranges of these unknowns, or nothing when the middle of J(B) has no inverse C.
-inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Box& box)
-{
-  const Point centre = middle_of(box), radius = radius_of(box);
-  Box at_centre;
-  for (const Exact_rational& x : centre)
-    at_centre.push_back({x, x});
-  Point value;   // any piece at the centre: the function is continuous
-  for (const Spline_function* function : functions)
-    value.push_back(values(*function, at_centre).lower);
-  std::vector<Jacobian> jacobians;
-  for (const Box& part : parts_between_breaks(functions, box))
-    jacobians.push_back(jacobian_on(functions, axes, part));
-  const Matrix inverse = rounded_left_inverse(hull_of(jacobians));
-  Box image;
-  for (std::size_t i = 0; i < inverse.rows; ++i) {
-    Exact_rational middle = centre[axes[i]], deviation(0);
-    for (std::size_t k = 0; k < value.size(); ++k)
-      middle -= inverse(i, k) * value[k];
-    for (std::size_t j = 0; j < axes.size(); ++j) {
-      Exact_rational largest(0);
-      for (const Jacobian& jacobian : jacobians)
-        largest = (std::max)(largest, distance_from_identity(inverse, jacobian, i, j));
-      deviation += largest * radius[axes[j]];
-    }
-    image.push_back({Exact_rational(middle - deviation), Exact_rational(middle + deviation)});
-  }
-  return image;
-}
 
 // The same for all equalities and unknowns of a system.
 inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
@@ -426,8 +267,8 @@ proves one answer of the solver once more, from the system and the box of the an
 subdivision. `true` only when the proof succeeds; `false` says nothing about the system, but no certified answer of the solver is expected to give it.
 
 A *certified* answer with the box \f$B\f$: let \f$y\f$ be the middle and \f$r\f$ the radius of \f$B\f$, \f$J\f$ a set of matrices whose convex hull holds the derivatives on
-\f$B\f$ of all pieces of the equalities \f$F\f$ (Taylor's formula at the middle of each part of \f$B\f$ between breaks), and \f$C\f$ any matrix, here the inverse of the middle of \f$J\f$ in
-rationals of 128 bits. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
+\f$B\f$ of all pieces of the equalities \f$F\f$, and \f$C\f$ any matrix, here the inverse of a matrix amid \f$J\f$ in rationals of 128 bits. \f$I - C J\f$ is bounded by the coefficients of
+\f$C F\f$ in Taylor's formula at the middle of each part of \f$B\f$ between breaks; equations that nearly coincide cancel in them. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
 a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
 \f[ K = y - C F(y) + (I - C J)(B - y). \f]
 If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4, 1969; Moore, A test for
