@@ -152,6 +152,13 @@ TEST(Verify, IrrationalPointsOfFaces)
   EXPECT_FALSE(verifies(y - Rational(1e-30), -1, 0));
   EXPECT_TRUE(verifies(y - Rational(1e-30), 0, 1));
   EXPECT_FALSE(verifies(y * y, 0, 1));
+
+  // On the face, one equation is a multiple of the other.
+  const System mixed = with_equalities(System({{0, 2}, {0, 1}}), {x * x - 2 + y, 2 * x * x - 4 - y});
+  const auto solutions = solve(mixed);
+  ASSERT_EQ(solutions.count(Solution_kind::CERTIFIED), 1u);
+  EXPECT_TRUE(verify(mixed, solutions[0]));
+  EXPECT_FALSE(verify(with_equalities(System({{0, 2}, {0, 1}}), {x * x - 2 + y, 2 * x * x - 5 - y}), solutions[0]));
 }
 
 // One coordinate in a kink and on the face of the domain, one rational, one irrational.

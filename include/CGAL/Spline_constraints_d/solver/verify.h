@@ -150,9 +150,38 @@ inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis
   return false;
 }
 
+// Without functions that are linear combinations of others on a box, some of whose ranges are single numbers; all of them when there are breaks in it.
+inline Functions linearly_independent(const Functions& functions, const Box& box)
+{
+  if (parts_between_breaks(functions, box).size() > 1)
+    return functions;
+  std::vector<Point> rows;   // the coefficients of one monomial each
+  for (const auto& [exponents, values] : taylor_coefficients(functions, middle_of(box))) {
+    bool is_zero_there = false;
+    for (std::size_t j = 0; j < box.size(); ++j)
+      is_zero_there = is_zero_there || (exponents[j] > 0 && box[j].lower == box[j].upper);
+    if (!is_zero_there)
+      rows.push_back(values);
+  }
+  Functions result;
+  for (std::size_t k = 0; k < functions.size() && result.size() < rows.size(); ++k) {
+    const std::size_t rank = result.size();
+    const auto pivot = std::find_if(rows.begin() + rank, rows.end(), [k](const Point& row) { return !is_zero(row[k]); });
+    if (pivot == rows.end())
+      continue;
+    result.push_back(functions[k]);
+    std::swap(rows[rank], *pivot);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i)
+      if (const Exact_rational factor = rows[i][k] / rows[rank][k]; !is_zero(factor))
+        for (std::size_t l = k; l < functions.size(); ++l)
+          rows[i][l] -= factor * rows[rank][l];
+  }
+  return result;
+}
+
 /*
 Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed; some equalities are zero wherever the unknowns
-have these values, and the others have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
+have these values, or linear combinations of others, and the rest have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
 shrinks, is accepted.
 */
 template <class Predicate>
@@ -178,6 +207,7 @@ bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box
     if (!is_zero(range.lower) || !is_zero(range.upper))
       functions.push_back(&function);
   }
+  functions = linearly_independent(functions, enclosure);
   if (functions.size() != rest.size() || rest.size() == box.size())
     return false;
   constexpr int rounds = 4;
