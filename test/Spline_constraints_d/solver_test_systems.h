@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -32,11 +33,38 @@ struct Coordinate
   // Rationals, integers, and formulas of rationals.
   template <std::convertible_to<Rational> T>
   Coordinate(const T& value) : lower(value), upper(lower) {}
-  static Coordinate near(double value, double error = 4e-15)
+  static Coordinate between(const Rational& lower, const Rational& upper)
   {
-    Coordinate result(Rational(value) - Rational(error));
-    result.upper = Rational(value) + Rational(error);
+    Coordinate result(lower);
+    result.upper = upper;
     return result;
+  }
+  static Coordinate near(double value, double error = 4e-15) { return between(Rational(value) - Rational(error), Rational(value) + Rational(error)); }
+
+  // The positive square root of a number up to 100 that is not a square, to some 300 bits.
+  static Coordinate square_root(const Rational& number)
+  {
+    Rational lower(0), width(16);
+    for (int bits = 0; bits < 304; ++bits) {
+      width /= 2;
+      const Rational middle = lower + width;
+      if (middle * middle < number)
+        lower = middle;
+    }
+    return between(lower, lower + width);
+  }
+
+  bool is_rational() const { return lower == upper; }
+
+  // A short number: this one, or one close by.
+  Rational about() const { return is_rational() ? lower : Rational(CGAL::to_double(lower)); }
+
+  friend Coordinate operator+(const Coordinate& a, const Coordinate& b) { return between(a.lower + b.lower, a.upper + b.upper); }
+  friend Coordinate operator-(const Coordinate& a, const Coordinate& b) { return between(a.lower - b.upper, a.upper - b.lower); }
+  friend Coordinate operator*(const Coordinate& a, const Coordinate& b)
+  {
+    const auto [least, largest] = std::minmax({Rational(a.lower * b.lower), Rational(a.lower * b.upper), Rational(a.upper * b.lower), Rational(a.upper * b.upper)});
+    return between(least, largest);
   }
 };
 
@@ -87,6 +115,27 @@ inline Polynomial composed(const Polynomial& p, const std::vector<Polynomial>& r
     for (const auto& [variable, exponent] : monomial.powers)
       product *= pow(replacements[variable], exponent);
     result += product;
+  }
+  return result;
+}
+
+inline std::vector<Polynomial> composed(const std::vector<Polynomial>& functions, const std::vector<Polynomial>& replacements)
+{
+  std::vector<Polynomial> result;
+  for (const Polynomial& function : functions)
+    result.push_back(composed(function, replacements));
+  return result;
+}
+
+inline Coordinate value_at(const Polynomial& p, const Point& point)
+{
+  Coordinate result(0);
+  for (const auto& [monomial, coefficient] : p.terms()) {
+    Coordinate product(coefficient);
+    for (const auto& [variable, exponent] : monomial.powers)
+      for (int i = 0; i < exponent; ++i)
+        product = product * point[variable];
+    result = result + product;
   }
   return result;
 }
@@ -159,11 +208,8 @@ inline Problem mixed_chebyshev(int n, int degree)
     Point image;
     for (int i = 0; i < n; ++i) {
       Coordinate sum(0);
-      for (int j = 0; j < n; ++j) {
-        const Rational a = mirror[i][j] * point[j].lower, b = mirror[i][j] * point[j].upper;
-        sum.lower += (std::min)(a, b);
-        sum.upper += (std::max)(a, b);
-      }
+      for (int j = 0; j < n; ++j)
+        sum = sum + mirror[i][j] * point[j];
       image.push_back(sum);
     }
     known.push_back(std::move(image));

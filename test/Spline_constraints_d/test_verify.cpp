@@ -52,6 +52,17 @@ TEST(Verify, AcceptsRationalCoordinates)
   }
 }
 
+// One unknown is determined by a 10^18th part of the equations, far less than they are curved across a box of doubles.
+TEST(Verify, EquationsThatNearlyCoincide)
+{
+  const Polynomial u = x + y - fraction(7, 3), common = pow(Polynomial(10), 18) * u * (u + 1), difference = y - fraction(4, 3);
+  const System system = with_equalities(cube(2, -1, 3), {common + difference, common - difference});
+  const double third = 1.0 / 3, r = 1e-14;
+  EXPECT_TRUE(verify(system, certified({{1 - r, 1 + r}, {1 + third - r, 1 + third + r}})));
+  EXPECT_TRUE(verify(system, certified({{-r, r}, {1 + third - r, 1 + third + r}})));
+  EXPECT_FALSE(verify(system, certified({{1 - r, 1 + r}, {1 + third + r, 1 + third + 3 * r}})));
+}
+
 TEST(Verify, OneUnknown)
 {
   const System system = line_system(x * x - 2);
@@ -141,6 +152,13 @@ TEST(Verify, IrrationalPointsOfFaces)
   EXPECT_FALSE(verifies(y - Rational(1e-30), -1, 0));
   EXPECT_TRUE(verifies(y - Rational(1e-30), 0, 1));
   EXPECT_FALSE(verifies(y * y, 0, 1));
+
+  // On the face, one equation is a multiple of the other.
+  const System mixed = with_equalities(System({{0, 2}, {0, 1}}), {x * x - 2 + y, 2 * x * x - 4 - y});
+  const auto solutions = solve(mixed);
+  ASSERT_EQ(solutions.count(Solution_kind::CERTIFIED), 1u);
+  EXPECT_TRUE(verify(mixed, solutions[0]));
+  EXPECT_FALSE(verify(with_equalities(System({{0, 2}, {0, 1}}), {x * x - 2 + y, 2 * x * x - 5 - y}), solutions[0]));
 }
 
 // One coordinate in a kink and on the face of the domain, one rational, one irrational.

@@ -37,7 +37,7 @@ namespace internal {
 
 using Taylor_terms = std::map<std::vector<int>, Exact_rational>;
 
-// The Taylor coefficients of a spline at a point, up to an order; an empty map when the point lies on a break.
+// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces.
 inline bool taylor_expansion(const Spline_function& function, const std::vector<Exact_rational>& point, int order,
                              Taylor_terms& result)
 {
@@ -47,7 +47,7 @@ inline bool taylor_expansion(const Spline_function& function, const std::vector<
     for (std::size_t j = 0; j < term.variables.size(); ++j) {
       const auto& breaks = term.breaks[j];
       const Exact_rational& x = point[term.variables[j]];
-      if (std::find(breaks.begin(), breaks.end(), x) != breaks.end())
+      if (term.cells(j) > 1 && std::find(breaks.begin() + 1, breaks.end() - 1, x) != breaks.end() - 1)
         return false;
       std::size_t own = 0;
       while (own + 1 < term.cells(j) && breaks[own + 1] < x)
@@ -151,7 +151,7 @@ public:
   }
 };
 
-// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break.
+// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break between pieces.
 inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
                             const std::vector<std::vector<int>>& exponents, std::vector<std::vector<Big_integer>>& rows)
 {
@@ -226,7 +226,7 @@ Whether a rational solution of the equalities is isolated, and its multiplicity,
 The nullity of the Macaulay matrix of order \f$\alpha\f$ (all \f$x^\beta f_i\f$, truncated at total degree \f$\alpha\f$ around the point) grows with \f$\alpha\f$ until it reaches the
 multiplicity and stays there exactly when the point is isolated, over any field (Dayton, Zeng 2005). Ranks modulo a prime bound the true ones from below: nullities that
 stay constant modulo a prime prove isolation, and so many primes that Hadamard's bound is passed prove the multiplicity. Orders up to 500 columns are
-tried; a point on a break of a spline is not decided.
+tried; a point on a break between pieces of a spline is not decided. On the first and the last break of an axis, the outermost pieces count as continued.
 */
 inline Local_structure local_structure(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
 {

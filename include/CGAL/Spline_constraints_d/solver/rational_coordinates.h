@@ -76,6 +76,25 @@ inline Power_polynomial polynomial_at(const Spline_function& function, const std
   return result;
 }
 
+// Without those that are linear combinations of the ones before: the common zeros stay the same.
+inline std::vector<Power_polynomial> linearly_independent(const std::vector<Power_polynomial>& polynomials)
+{
+  std::vector<Power_polynomial> result, echelon;   // none of the echelon has the first monomial of an earlier one
+  for (const Power_polynomial& polynomial : polynomials) {
+    Power_polynomial rest = polynomial;
+    for (const Power_polynomial& row : echelon) {
+      const auto& [monomial, leading] = *row.terms().begin();
+      if (const auto term = rest.terms().find(monomial); term != rest.terms().end())
+        rest -= Power_polynomial(Exact_rational(term->second / leading)) * row;
+    }
+    if (!rest.is_zero()) {
+      result.push_back(polynomial);
+      echelon.push_back(std::move(rest));
+    }
+  }
+  return result;
+}
+
 /*
 A solution some of whose coordinates are rational: their values, and ranges of all coordinates in which there is no other solution with these values.
 */
@@ -92,7 +111,7 @@ struct Partly_rational_solution
 
 /*
 Proves that a narrow box holds a solution some of whose coordinates are rational: those whose range holds a rational of at most `longest` bits take that value, the equalities that
-become zero are dropped, and the others must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. The domain and the inequalities
+become zero or linear combinations of others are dropped, and the rest must have exactly one root in the ranges of the remaining unknowns, each widened by its width to both sides. The domain and the inequalities
 are not looked at.
 */
 inline Partly_rational_solution partly_rational_solution(const Constraint_system_d& system, const std::vector<Exact_rational>& lower,
@@ -122,13 +141,12 @@ inline Partly_rational_solution partly_rational_solution(const Constraint_system
     const auto polynomial = restricted(function, result.values);
     if (!polynomial || (polynomial->is_constant() && !polynomial->is_zero()))
       return none;
-    if (!polynomial->is_zero())
-      remaining.push_back(*polynomial);
+    remaining.push_back(*polynomial);
   }
   if (domain.empty())
     return result;
   Constraint_system_d remaining_system(domain);
-  for (const Power_polynomial& polynomial : remaining)
+  for (const Power_polynomial& polynomial : linearly_independent(remaining))
     remaining_system.add(polynomial, Relation::EQUAL);
   const System_layout layout(remaining_system);
   Exact_source source(remaining_system, layout);

@@ -72,8 +72,8 @@ proves one answer of the solver once more, from the system and the box of the an
 subdivision. `true` only when the proof succeeds; `false` says nothing about the system, but no certified answer of the solver is expected to give it.
 
 A *certified* answer with the box \f$B\f$: let \f$y\f$ be the middle and \f$r\f$ the radius of \f$B\f$, \f$J\f$ a set of matrices whose convex hull holds the derivatives on
-\f$B\f$ of all pieces of the equalities \f$F\f$ (Taylor's formula at the middle of each part of \f$B\f$ between breaks), and \f$C\f$ any matrix, here the inverse of the middle of \f$J\f$ in
-rationals of 128 bits. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
+\f$B\f$ of all pieces of the equalities \f$F\f$, and \f$C\f$ any matrix, here the inverse of a matrix amid \f$J\f$ in rationals of 128 bits. \f$I - C J\f$ is bounded by the coefficients of
+\f$C F\f$ in Taylor's formula at the middle of each part of \f$B\f$ between breaks; equations that nearly coincide cancel in them. Neighbouring pieces are checked to agree where they meet, so \f$F\f$ is continuous on \f$B\f$, the mean of its derivatives along
 a segment lies in \f$J\f$, and \f$x \mapsto x - C F(x)\f$ maps \f$B\f$ into
 \f[ K = y - C F(y) + (I - C J)(B - y). \f]
 If \f$K\f$ lies in the interior of \f$B\f$ (Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4, 1969; Moore, A test for

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -234,31 +235,32 @@ inline Range values(const Spline_function& function, const Box& box)
   return sum;
 }
 
-// Encloses the partial derivatives on a box of all pieces of a function that meet another one, one range per unknown.
-inline Box derivatives(const Spline_function& function, const Box& box, const Box& where)
+using Functions = std::vector<const Spline_function*>;
+
+// Taylor's coefficients about a point of several functions: for every monomial one number per function.
+using Taylor_coefficients = std::map<std::vector<int>, Point>;
+
+// On a break, those of one of the pieces that meet there.
+inline Taylor_coefficients taylor_coefficients(const Functions& functions, const Point& centre)
 {
-  const Point centre = middle_of(box), radius = radius_of(box);
-  Box sum(box.size(), {Exact_rational(0), Exact_rational(0)});
-  for (const Spline_term& term : function.terms()) {
-    Box hull;
-    visit_pieces(term, where, [&](const Polynomial& piece, const std::vector<std::size_t>&) {
-      const Taylor_form form(piece, restricted(centre, term));
-      const bool is_first = hull.empty();
-      for (std::size_t j = 0; j < term.variables.size(); ++j) {
-        const Range range =
-          Taylor_form::around(form.polynomial.derivative(j), form.majorant.derivative(j), restricted(radius, term));
-        if (is_first)
-          hull.push_back(range);
-        else
-          extend(hull[j], range.lower, range.upper);
-      }
-    });
-    for (std::size_t j = 0; j < hull.size(); ++j) {
-      sum[term.variables[j]].lower += hull[j].lower;
-      sum[term.variables[j]].upper += hull[j].upper;
+  Box place;
+  for (const Exact_rational& x : centre)
+    place.push_back({x, x});
+  Taylor_coefficients result;
+  for (std::size_t k = 0; k < functions.size(); ++k)
+    for (const Spline_term& term : functions[k]->terms()) {
+      Polynomial polynomial;
+      visit_pieces(term, place, [&](const Polynomial& piece, const std::vector<std::size_t>&) { polynomial = piece; });
+      polynomial.move_origin(restricted(centre, term));
+      for (std::size_t i = 0; i < polynomial.coefficients.size(); ++i)
+        if (!is_zero(polynomial.coefficients[i])) {
+          std::vector<int> exponents(centre.size(), 0);
+          for (std::size_t j = 0; j < term.variables.size(); ++j)
+            exponents[term.variables[j]] = static_cast<int>(i / polynomial.inner(j) % (term.degrees[j] + 1));
+          result.try_emplace(std::move(exponents), functions.size(), Exact_rational(0)).first->second[k] += polynomial.coefficients[i];
+        }
     }
-  }
-  return sum;
+  return result;
 }
 
 } // namespace verification

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/exact_enclosures.h>
+#include <CGAL/Spline_constraints_d/solver/internal/krawczyk_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,165 +22,6 @@ namespace Spline_constraints {
 namespace internal {
 
 namespace verification {
-
-// Row-major.
-struct Matrix
-{
-  std::size_t rows, columns;
-  std::vector<Exact_rational> entries;
-
-  Matrix(std::size_t rows, std::size_t columns) : rows(rows), columns(columns), entries(rows * columns, Exact_rational(0)) {}
-  Exact_rational& operator()(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
-  const Exact_rational& operator()(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
-};
-
-// Gauss-Jordan on (left | right): right becomes left^-1 right. False when left is singular.
-inline bool solve_linear(Matrix& left, Matrix& right)
-{
-  for (std::size_t c = 0; c < left.columns; ++c) {
-    std::size_t pivot = c;
-    while (pivot < left.rows && is_zero(left(pivot, c)))
-      ++pivot;
-    if (pivot == left.rows)
-      return false;
-    const Exact_rational factor = Exact_rational(1) / left(pivot, c);
-    for (Matrix* matrix : {&left, &right})
-      for (std::size_t k = 0; k < matrix->columns; ++k) {
-        std::swap((*matrix)(c, k), (*matrix)(pivot, k));
-        (*matrix)(c, k) *= factor;
-      }
-    for (std::size_t i = 0; i < left.rows; ++i)
-      if (const Exact_rational multiple = left(i, c); i != c && !is_zero(multiple))
-        for (Matrix* matrix : {&left, &right})
-          for (std::size_t k = 0; k < matrix->columns; ++k)
-            if (!is_zero((*matrix)(c, k)))
-              (*matrix)(i, k) -= multiple * (*matrix)(c, k);
-  }
-  return true;
-}
-
-// Any matrix near an inverse serves: digits beyond these only cost time.
-constexpr int digits = 128;
-
-// A left inverse of the middle of a Jacobian, rounded; empty when it has none.
-inline Matrix rounded_left_inverse(const std::vector<Box>& jacobian)
-{
-  const std::size_t m = jacobian.size(), n = jacobian[0].size();
-  Matrix middle(m, n), inverse(n, m);
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      middle(i, j) = round_to_dyadic(Exact_rational((jacobian[i][j].lower + jacobian[i][j].upper) / Exact_rational(2)), digits);
-  Matrix square(n, n);
-  if (m == n) {
-    square = middle;
-    for (std::size_t i = 0; i < n; ++i)
-      inverse(i, i) = Exact_rational(1);
-  } else   // least squares
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        inverse(j, i) = middle(i, j);
-        for (std::size_t k = 0; k < n; ++k)
-          square(j, k) += middle(i, j) * middle(i, k);
-      }
-  if (!solve_linear(square, inverse))
-    return Matrix(0, 0);
-  for (Exact_rational& entry : inverse.entries)
-    entry = round_to_dyadic(entry, digits);
-  return inverse;
-}
-
-using Functions = std::vector<const Spline_function*>;
-using Axes = std::vector<std::size_t>;
-
-// The parts of a box between the breaks of the functions, where each of them is one polynomial.
-inline std::vector<Box> parts_between_breaks(const Functions& functions, const Box& box)
-{
-  std::vector<Box> parts{box};
-  for (const Spline_function* function : functions)
-    for (const Spline_term& term : function->terms())
-      for (std::size_t j = 0; j < term.variables.size(); ++j)
-        for (const Exact_rational& at : term.breaks[j]) {
-          const std::size_t axis = term.variables[j];
-          for (std::size_t i = parts.size(); i-- > 0;)
-            if (parts[i][axis].lower < at && at < parts[i][axis].upper) {
-              parts.push_back(parts[i]);
-              parts[i][axis].upper = at;
-              parts.back()[axis].lower = at;
-            }
-        }
-  return parts;
-}
-
-// Bounds on the derivatives, functions x unknowns.
-using Jacobian = std::vector<Box>;
-
-inline Jacobian jacobian_on(const Functions& functions, const Axes& axes, const Box& box)
-{
-  Box inside;   // a point of the interior: one piece of each function
-  for (const Exact_rational& x : middle_of(box))
-    inside.push_back({x, x});
-  Jacobian result;
-  for (const Spline_function* function : functions) {
-    const Box all = derivatives(*function, box, inside);
-    Box& row = result.emplace_back();
-    for (std::size_t axis : axes)
-      row.push_back(all[axis]);
-  }
-  return result;
-}
-
-inline Jacobian hull_of(const std::vector<Jacobian>& jacobians)
-{
-  Jacobian hull = jacobians.front();
-  for (const Jacobian& jacobian : jacobians)
-    for (std::size_t k = 0; k < hull.size(); ++k)
-      for (std::size_t j = 0; j < hull[k].size(); ++j)
-        extend(hull[k][j], jacobian[k][j].lower, jacobian[k][j].upper);
-  return hull;
-}
-
-// A bound on the entry (i, j) of |I - C J|.
-inline Exact_rational distance_from_identity(const Matrix& inverse, const Jacobian& jacobian, std::size_t i, std::size_t j)
-{
-  Exact_rational entry(i == j ? 1 : 0), spread(0);
-  for (std::size_t k = 0; k < jacobian.size(); ++k) {
-    const Range& range = jacobian[k][j];
-    entry -= inverse(i, k) * (range.lower + range.upper) / Exact_rational(2);
-    spread += absolute(inverse(i, k)) * (range.upper - range.lower) / Exact_rational(2);
-  }
-  return Exact_rational(absolute(entry) + spread);
-}
-
-// Krawczyk's operator K = y - C F(y) + (I - C J(B)) (B - y) with the middle y of the box B, for functions of the unknowns `axes`; the ranges of the others are single
-// numbers. I - C J is bounded between the breaks first, since the rows of C J cancel there. Gives the ranges of these unknowns, or nothing when the middle of J(B) has no inverse C.
-inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Box& box)
-{
-  const Point centre = middle_of(box), radius = radius_of(box);
-  Box at_centre;
-  for (const Exact_rational& x : centre)
-    at_centre.push_back({x, x});
-  Point value;   // any piece at the centre: the function is continuous
-  for (const Spline_function* function : functions)
-    value.push_back(values(*function, at_centre).lower);
-  std::vector<Jacobian> jacobians;
-  for (const Box& part : parts_between_breaks(functions, box))
-    jacobians.push_back(jacobian_on(functions, axes, part));
-  const Matrix inverse = rounded_left_inverse(hull_of(jacobians));
-  Box image;
-  for (std::size_t i = 0; i < inverse.rows; ++i) {
-    Exact_rational middle = centre[axes[i]], deviation(0);
-    for (std::size_t k = 0; k < value.size(); ++k)
-      middle -= inverse(i, k) * value[k];
-    for (std::size_t j = 0; j < axes.size(); ++j) {
-      Exact_rational largest(0);
-      for (const Jacobian& jacobian : jacobians)
-        largest = (std::max)(largest, distance_from_identity(inverse, jacobian, i, j));
-      deviation += largest * radius[axes[j]];
-    }
-    image.push_back({Exact_rational(middle - deviation), Exact_rational(middle + deviation)});
-  }
-  return image;
-}
 
 // The same for all equalities and unknowns of a system.
 inline Box krawczyk_image(const Constraint_system_d& system, const Box& box)
@@ -312,9 +153,38 @@ inline bool guess_coordinate(const Constraint_system_d& system, std::size_t axis
   return false;
 }
 
+// Without functions that are linear combinations of others on a box, some of whose ranges are single numbers; all of them when there are breaks in it.
+inline Functions linearly_independent(const Functions& functions, const Box& box)
+{
+  if (parts_between_breaks(functions, box).size() > 1)
+    return functions;
+  std::vector<Point> rows;   // the coefficients of one monomial each
+  for (const auto& [exponents, values] : taylor_coefficients(functions, middle_of(box))) {
+    bool is_zero_there = false;
+    for (std::size_t j = 0; j < box.size(); ++j)
+      is_zero_there = is_zero_there || (exponents[j] > 0 && box[j].lower == box[j].upper);
+    if (!is_zero_there)
+      rows.push_back(values);
+  }
+  Functions result;
+  for (std::size_t k = 0; k < functions.size() && result.size() < rows.size(); ++k) {
+    const std::size_t rank = result.size();
+    const auto pivot = std::find_if(rows.begin() + rank, rows.end(), [k](const Point& row) { return !is_zero(row[k]); });
+    if (pivot == rows.end())
+      continue;
+    result.push_back(functions[k]);
+    std::swap(rows[rank], *pivot);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i)
+      if (const Exact_rational factor = rows[i][k] / rows[rank][k]; !is_zero(factor))
+        for (std::size_t l = k; l < functions.size(); ++l)
+          rows[i][l] -= factor * rows[rank][l];
+  }
+  return result;
+}
+
 /*
 Proves that there is a solution in or near the box, some of whose coordinates are single numbers: these are guessed; some equalities are zero wherever the unknowns
-have these values, and the others have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
+have these values, or linear combinations of others, and the rest have a solution in the ranges of the remaining unknowns, each widened by its width times `widening`. Returns whether its enclosure, which
 shrinks, is accepted.
 */
 template <class Predicate>
@@ -340,6 +210,7 @@ bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box
     if (!is_zero(range.lower) || !is_zero(range.upper))
       functions.push_back(&function);
   }
+  functions = linearly_independent(functions, enclosure);
   if (functions.size() != rest.size() || rest.size() == box.size())
     return false;
   constexpr int rounds = 4;
