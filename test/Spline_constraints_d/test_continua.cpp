@@ -99,9 +99,8 @@ TEST(Continua, Overlap)
   const System system = with_equalities(cube(2, 0, 1), {u - v, pow(u, 3) - u - pow(v, 3) + v});
   const Ends ends{{fraction(1, 3), 0}, {1, fraction(2, 3)}};
   check_segment(system, ends);
-  const std::size_t nodes = SC::solve(system, {.tolerance = 1e-6}).summary().nodes;
-  EXPECT_LE(nodes, 100u);
-  EXPECT_EQ(SC::solve(system, {.tolerance = 1e-14}).summary().nodes, nodes);
+  for (const double tolerance : {1e-2, 1e-6, 1e-10, 1e-14})
+    EXPECT_LE(SC::solve(system, {.tolerance = tolerance}).summary().nodes, 150u);
   for (const auto& solution : solve_with<SC::Multiprecision_solver_traits>(system))
     EXPECT_EQ(solution.ends(), ends);
   for (const auto& solution : solve_with<SC::Exact_solver_traits>(system))
@@ -334,9 +333,10 @@ TEST(Continua, PlantedComponents)
     }
     EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), beside);
     expect_consistent_regions(solutions);
-    for (const Answer& answer : solutions)
-      if (answer.is_certified() || !answer.ends().empty())
-        EXPECT_TRUE(verify(system, answer)) << answer.kind();
+    for (const Answer& answer : solutions) {
+      const bool is_proved_again = verify(system, answer);
+      EXPECT_TRUE(is_proved_again || (!answer.is_certified() && answer.ends().empty())) << answer.kind();
+    }
     for (const Answer& c : continua) {
       EXPECT_EQ(c.dimension(), n - 1);
       for (const auto& end : c.ends())
