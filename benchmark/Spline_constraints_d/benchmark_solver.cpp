@@ -3,11 +3,12 @@
 
 // The solver over problems, policies and number types.
 //
-// Names are problem/policy or problem/number type. Counters: certified roots, clusters and undecided boxes, nodes, time per node (of the whole
+// Names are problem/policy or problem/number type. Counters: certified roots, clusters, continua and undecided boxes, nodes, time per node (of the whole
 // run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup, rebuilding and refinement of roots in
 // the time. A run ends after 20 s or 3 million nodes.
 // The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns,
 // `univariate/...` one with the path for one unknown and the one for many.
+// `degenerate/touch_to_cross` solves a parabola with a line that touches it and one that crosses it.
 // `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock.
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
@@ -73,6 +74,7 @@ void solve(benchmark::State& state, const System& system)
   const double nodes = static_cast<double>(summary.nodes);
   state.counters["roots"] = static_cast<double>(solutions.count(Solution_kind::CERTIFIED));
   state.counters["clusters"] = static_cast<double>(solutions.count(Solution_kind::CLUSTER));
+  state.counters["continua"] = static_cast<double>(solutions.count(Solution_kind::CONTINUUM));
   state.counters["undecided"] = static_cast<double>(solutions.count(Solution_kind::UNDECIDED));
   state.counters["nodes"] = nodes;
   state.counters["time_per_node"] = Counter(nodes, Counter::kIsIterationInvariantRate | Counter::kInvert);
@@ -126,6 +128,12 @@ void certified_to_fast(benchmark::State& state, const System& system)
 void univariate_to_general(benchmark::State& state, const System& system)
 {
   compare_traits<SC::Certified_solver_traits, Widest>(state, system, "univariate", "general");
+}
+
+void touch_to_cross(benchmark::State& state)
+{
+  const System touch = parabola_and_line("", 0).system, cross = parabola_and_line("", solver_test::fraction(1, 4)).system;
+  compare(state, [&] { benchmark::DoNotOptimize(SC::solve(touch)); }, [&] { benchmark::DoNotOptimize(SC::solve(cross)); }, "touch", "cross", seconds_of_thread);
 }
 
 template <class Concurrency_tag>
@@ -207,6 +215,10 @@ bool add_all()
     add(random_polynomial(degree), paths);
   add(wilkinson(20), paths);
   add(multiple_roots(), paths);
+  for (const Named_system& problem : {parabola_and_line("cross", solver_test::fraction(1, 4)), parabola_and_line("touch", 0), overlap(), common_line(),
+                                      pencil_of_quadrics(), irrational_double_roots()})
+    add(problem, standard);
+  benchmark::RegisterBenchmark("degenerate/touch_to_cross", touch_to_cross)->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("batch/quadratic/sequential", batch_to_loop<CGAL::Sequential_tag>)->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
   benchmark::RegisterBenchmark("batch/quadratic/parallel", batch_to_loop<CGAL::Parallel_tag>)->Unit(benchmark::kMillisecond);

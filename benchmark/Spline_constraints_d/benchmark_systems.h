@@ -82,6 +82,48 @@ inline Named_system circle_and_hyperbola()
           solver_test::with_equalities(solver_test::cube(2, -3, 3), {square(v[0]) + square(v[1]) - 2, v[0] * v[1] - 1})};
 }
 
+// The parabola (2t - 1, (2t - 1)^2) and the line from (-3/2, height) to (5/4, height): they cross, touch or miss each other.
+inline Named_system parabola_and_line(const std::string& name, const Rational& height)
+{
+  const auto v = solver_test::variables(2);
+  return {"degenerate/" + name, solver_test::with_equalities(solver_test::cube(2, 0, 1), {2 * v[0] - 1 + solver_test::fraction(3, 2) - solver_test::fraction(11, 4) * v[1],
+                                                                                          square(2 * v[0] - 1) - height})};
+}
+
+// Two pieces of one cubic that overlap.
+inline Named_system overlap()
+{
+  const auto v = solver_test::variables(2);
+  const Polynomial a = 3 * v[0] / 4, b = 3 * v[1] / 4 + solver_test::fraction(1, 4);
+  return {"degenerate/overlap", solver_test::with_equalities(solver_test::cube(2, 0, 1), {a - b, pow(a, 3) - a - pow(b, 3) + b})};
+}
+
+// A line of solutions and four roots beside it.
+inline Named_system common_line()
+{
+  const auto v = solver_test::variables(2);
+  const Polynomial line = v[0] - v[1];
+  return {"degenerate/common_line", solver_test::with_equalities(solver_test::cube(2, -2, 2), {line * (square(v[0]) + square(v[1]) - 2),
+                                                                                               line * (v[0] * v[1] - solver_test::fraction(1, 2))})};
+}
+
+// Three quadrics that share two circles.
+inline Named_system pencil_of_quadrics()
+{
+  const auto v = solver_test::variables(3);
+  const Polynomial sphere = square(v[0]) + square(v[1]) + square(v[2]) - 2, cone = square(v[0]) + square(v[1]) - square(v[2]);
+  return {"degenerate/pencil_of_quadrics", solver_test::with_equalities(solver_test::cube(3, -2, 2), {sphere, cone, sphere * v[0] + cone * v[1]})};
+}
+
+// The unit directions of the lines that touch four spheres: 12 double roots with irrational coordinates.
+inline Named_system irrational_double_roots()
+{
+  const auto v = solver_test::variables(3);
+  const Polynomial x = square(v[0]), y = square(v[1]), z = square(v[2]);
+  return {"degenerate/irrational_double_roots",
+          solver_test::with_equalities(solver_test::cube(3, -1, 1), {v[0] * v[1] * v[2], x * y + y * z + z * x - solver_test::fraction(1, 4), x + y + z - 1})};
+}
+
 // A triple root (Griewank and Osborne) and one of multiplicity four, both in the origin.
 inline Named_system griewank_osborne()
 {
