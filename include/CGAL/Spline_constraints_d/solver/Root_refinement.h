@@ -148,6 +148,7 @@ public:
     }
     m_best = m_point;   // with the whole region around it, should no step be finite
     m_best_radius = m_width;
+    constexpr double goal = 0.6;   // half a unit, and what the bounds add
     double best = HUGE_VAL;
     const auto keep_if_best = [&](double error) {
       if (error < best) {
@@ -155,7 +156,7 @@ public:
         m_best = m_point;
         m_best_radius = m_radius;
       }
-      return best <= 0.5;
+      return best <= goal;
     };
     int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
     m_shortest.assign(n, HUGE_VAL);
@@ -175,8 +176,14 @@ public:
         m_point[j] = stepped(m_point[j], -extrapolated_step(j, iteration) * m_width[j], bits);
         m_point[j] = (std::min)((std::max)(m_point[j], region.lower[j]), region.upper[j]);
       }
-      if (std::isfinite(error) && keep_if_best(error_after_step(region, bits)))
+      if (m_point == m_last_point)
+        break;   // the coordinates are not fine enough for the step
+      if (!std::isfinite(error))
+        continue;
+      if (const double next = error_after_step(region, bits); next <= goal) {
+        keep_if_best(next);
         break;
+      }
     }
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
