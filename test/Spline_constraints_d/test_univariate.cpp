@@ -198,6 +198,11 @@ TEST(Univariate, Breaks)
   // the extension of one piece has a root just beyond the break, where the spline has none
   expect_solutions(joined(x - third - tiny, -tiny + square(x - third) * 0), {});
   expect_solutions(joined(x - third - tiny, 2 * (x - third) - tiny), {{Rational(third + tiny / 2)}});
+  // the domain ends on a break, behind which the spline is another one
+  for (const Polynomial& beyond : {Polynomial(), Polynomial(1 - 3 * x)}) {
+    expect_solutions(on(third, 2, {piecewise(0, {-1, third, 2}, {beyond, 3 * x - 1})}), {{third}});
+    expect_solutions(on(-1, third, {piecewise(0, {-1, third, 2}, {3 * x - 1, beyond})}), {{third}});
+  }
   expect_solutions(on(0, 4, {polygon(0, {2, 0, 3, fraction(1, 1000000), 1})}), {{1, 0}});
 }
 
@@ -312,6 +317,60 @@ TEST(Univariate, Limits)
     EXPECT_FALSE(solutions.is_complete());
     expect_nothing_lost({{Coordinate::near(std::sqrt(0.5), 1e-15)}, {1}, {2}}, solutions);
   }
+}
+
+// Continuous splines of up to four pieces, with roots and kinks on breaks, pieces that vanish, and inequalities: everything is proved again, and agrees with the path for many
+// unknowns.
+TEST(Univariate, RandomSplines)
+{
+  using General = SC::Solver_traits<double, SC::Graph_box_test, SC::Preconditioned_reduction, SC::Widest_splitter>;
+  const auto meet = [](const auto& a, const auto& b) { return a[0].first <= b[0].second && b[0].first <= a[0].second; };
+  std::mt19937_64 random(17);
+  const auto integer = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
+  std::size_t certified = 0, clusters = 0, continua = 0;
+  for (int test = 0; test < 400 && !testing::Test::HasFailure(); ++test) {
+    SCOPED_TRACE(test);
+    std::vector<Rational> breaks{fraction(integer(-9, 9), integer(1, 5))};
+    for (int cells = integer(1, 4); cells > 0; --cells)
+      breaks.push_back(breaks.back() + fraction(integer(1, 9), integer(1, 9)));
+    const auto spline = [&] {
+      std::vector<Rational> heights;
+      for (std::size_t i = 0; i < breaks.size(); ++i)
+        heights.push_back(integer(0, 1) == 0 ? fraction(integer(-4, 4), integer(1, 4)) : Rational(0));
+      std::vector<Polynomial> pieces;
+      for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        Polynomial bubble;
+        for (int k = integer(0, 3) == 0 ? -1 : integer(0, 3); k >= 0; --k)
+          bubble += fraction(integer(-5, 5), integer(1, 3)) * pow(x, k);
+        const Rational slope = (heights[i + 1] - heights[i]) / (breaks[i + 1] - breaks[i]);
+        pieces.push_back(heights[i] + slope * (x - breaks[i]) + (x - breaks[i]) * (x - breaks[i + 1]) * bubble);
+      }
+      return piecewise(0, breaks, pieces);
+    };
+    const SC::Spline_function f = spline();
+    System system = on(breaks.front(), breaks.back(), {f});
+    for (int count = integer(0, 2); count > 0; --count) {
+      constexpr Relation relations[] = {Relation::LESS, Relation::LESS_EQUAL, Relation::GREATER, Relation::GREATER_EQUAL};
+      system.add(integer(0, 3) == 0 ? f : spline(), relations[integer(0, 3)]);
+    }
+    const auto solutions = solve(system);
+    const auto general = solve_with<General>(system, {.node_limit = 3000, .ladder_precision = 0});
+    EXPECT_TRUE(solutions.is_complete());
+    for (const auto& solution : solutions) {
+      EXPECT_TRUE(verify(system, solution)) << solution.kind() << ' ' << solution[0].first;
+      EXPECT_TRUE(std::any_of(general.begin(), general.end(), [&](const auto& other) { return meet(solution, other); })) << solution[0].first;
+    }
+    for (const auto& other : general)
+      EXPECT_TRUE(other.kind() == Solution_kind::UNDECIDED || std::any_of(solutions.begin(), solutions.end(), [&](const auto& solution) {
+                    return meet(solution, other) && (solution.is_certified() || !other.is_certified());
+                  })) << other[0].first;
+    certified += solutions.count(Solution_kind::CERTIFIED);
+    clusters += solutions.count(Solution_kind::CLUSTER);
+    continua += solutions.count(Solution_kind::CONTINUUM);
+  }
+  EXPECT_GT(certified, 300u);
+  EXPECT_GT(clusters, 50u);
+  EXPECT_GT(continua, 30u);
 }
 
 // Products of planted factors: simple and multiple roots, rational ones and pairs p +- sqrt(q), against what is known of them.

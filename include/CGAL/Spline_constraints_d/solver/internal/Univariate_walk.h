@@ -118,10 +118,11 @@ public:
     return answer.exact ? *answer.exact : Exact_root(m_polynomial, Exact_rational(answer.lower), Exact_rational(answer.upper), answer.lower_sign);
   }
 
-  // A limit was reached.
+  // A limit was reached. Nodes of high degree take long beside a look at the clock.
   bool is_over()
   {
-    return m_control.must_stop(m_summary.nodes % 32 == 0) || (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
+    const bool is_asked = m_summary.nodes % 32 == 0 || (m_polynomial != nullptr && m_polynomial->degree() > 64);
+    return m_control.must_stop(is_asked) || (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit);
   }
 
   Undecided_reason reason() const { return m_control.reason() == Undecided_reason::NONE ? Undecided_reason::NODES : m_control.reason(); }

@@ -224,10 +224,13 @@ private:
                        [&](const auto& inequality) { return is_satisfied(inequality.relation, sign_at(piece_at(inequality.function, x, false), x)); });
   }
 
+  // Some equality has slopes of one sign on both sides; at an end of the domain the side inside counts.
   bool is_regular_at(const Exact_rational& x) const
   {
+    const bool has_left = m_system.domain(0).first < x, has_right = x < m_system.domain(0).second;
     return std::any_of(m_system.equalities().begin(), m_system.equalities().end(), [&](const Spline_function& function) {
-      return sign_at(derivative(piece_at(function, x, true)), x) * sign_at(derivative(piece_at(function, x, false)), x) > 0;
+      const auto slope = [&](bool is_from_left) { return sign_at(derivative(piece_at(function, x, is_from_left)), x); };
+      return slope(has_left) * slope(!has_right) > 0;
     });
   }
 
