@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/multiplicity.h>
 
 #include <algorithm>
@@ -194,58 +195,35 @@ private:
     return result;
   }
 
-  // Gauss-Jordan elimination of (J | I) with the largest pivots, for the sizes of the bounds; any other would be as exact.
+  // The size of pivots is for that of the bounds; any other would be as exact.
   void eliminate(const std::vector<Taylor_terms>& terms)
   {
     const int n = m_dimension;
-    std::vector<std::vector<Exact_rational>> a(n, std::vector<Exact_rational>(2 * n, Exact_rational(0)));
+    std::vector<Exact_rational> rows(2 * n * n, Exact_rational(0));   // (J | I)
     for (int i = 0; i < n; ++i) {
-      a[i][n + i] = Exact_rational(1);
+      rows[2 * n * i + n + i] = Exact_rational(1);
       for (int j = 0; j < n; ++j) {
         Exponents exponents(n, 0);
         exponents[j] = 1;
         if (const auto place = terms[i].find(exponents); place != terms[i].end())
-          a[i][j] = place->second;
+          rows[2 * n * i + j] = place->second;
       }
     }
-    m_row.assign(n, -1);
-    for (int rank = 0; rank < n; ++rank) {
-      int row = -1, column = -1;
-      double largest = 0;
-      for (int i = rank; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          if (m_row[j] < 0 && !CGAL::is_zero(a[i][j]) && std::abs(CGAL::to_double(a[i][j])) >= largest) {
-            largest = std::abs(CGAL::to_double(a[i][j]));
-            row = i;
-            column = j;
-          }
-      if ((row < 0) != (rank == n - 1))
-        return;   // of rank n, or n - 2 and less
-      if (row < 0)
-        break;
-      std::swap(a[rank], a[row]);
-      m_row[column] = rank;
-      const Exact_rational pivot = a[rank][column];
-      for (Exact_rational& entry : a[rank])
-        entry /= pivot;
-      for (int i = 0; i < n; ++i)
-        if (i != rank && !CGAL::is_zero(a[i][column])) {
-          const Exact_rational multiple = a[i][column];
-          for (int j = 0; j < 2 * n; ++j)
-            a[i][j] -= multiple * a[rank][j];
-        }
-    }
+    m_row = gauss_jordan(rows, 2 * n, n, n - 1, [](const Exact_rational& x) { return CGAL::is_zero(x) ? 0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300); });
+    if (m_row.empty())
+      return;
     m_free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());
-    combine(terms, a);
+    if (CGAL::is_zero(rows[2 * n * (n - 1) + m_free]))   // of rank n - 1
+      combine(terms, rows);
   }
 
-  void combine(const std::vector<Taylor_terms>& terms, const std::vector<std::vector<Exact_rational>>& a)
+  void combine(const std::vector<Taylor_terms>& terms, const std::vector<Exact_rational>& rows)
   {
     const int n = m_dimension;
     std::vector<Exact_rational> kernel(n, Exact_rational(1));
     for (int j = 0; j < n; ++j)
       if (j != m_free)
-        kernel[j] = -a[m_row[j]][m_free];
+        kernel[j] = -rows[2 * n * m_row[j] + m_free];
     for (const Exact_rational& entry : kernel)
       m_kernel.push_back(std::abs(CGAL::to_double(entry)) * m_slack);
     std::map<Exponents, std::vector<Exact_rational>> coefficients;   // of f_1, ..., f_n
@@ -263,7 +241,7 @@ private:
         Exact_rational sum(0);
         for (int l = 0; l < n; ++l)
           if (!CGAL::is_zero(column[l]))
-            sum += a[i][n + l] * column[l];
+            sum += rows[2 * n * i + n + l] * column[l];
         const double size = std::abs(CGAL::to_double(sum));
         is_in_range = is_in_range && (CGAL::is_zero(sum) || (size > 1e-200 && size < 1e200));
         term.sizes.push_back(size * m_slack);

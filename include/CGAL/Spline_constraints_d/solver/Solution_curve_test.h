@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ class Solution_curve_test
   Exact_source& m_source;
   Node_analysis<NT> m_analysis;
   Box_node<NT> m_node;
-  std::vector<double> m_middle, m_radius, m_transform, m_place, m_value;
+  std::vector<double> m_middle, m_radius, m_rows, m_transform, m_place, m_value;
   std::vector<int> m_row;   // of g, per unknown; -1: the parameter
   std::vector<Exact_source::Value> m_values;
   double m_resolution = 0;   // of places in the node
@@ -88,38 +89,18 @@ private:
         m_middle[i * n() + j] = 0.5 * (lower + upper);
         m_radius[i * n() + j] = 0.5 * (upper - lower);
       }
-    const int width = n() + m();
-    std::vector<double> a(m() * width, 0.0);   // (J | I)
+    const int length = n() + m();
+    m_rows.assign(m() * length, 0.0);   // (J | I)
     for (int i = 0; i < m(); ++i) {
-      std::copy_n(m_middle.begin() + i * n(), n(), a.begin() + i * width);
-      a[i * width + n() + i] = 1;
+      std::copy_n(m_middle.begin() + i * n(), n(), m_rows.begin() + i * length);
+      m_rows[i * length + n() + i] = 1;
     }
-    m_row.assign(n(), -1);
-    for (int rank = 0; rank + 1 < n(); ++rank) {
-      int row = -1, column = -1;
-      double largest = 0;
-      for (int i = rank; i < m(); ++i)
-        for (int j = 0; j < n(); ++j)
-          if (m_row[j] < 0 && std::abs(a[i * width + j]) > largest) {
-            largest = std::abs(a[i * width + j]);
-            row = i;
-            column = j;
-          }
-      if (row < 0)
-        return false;
-      std::swap_ranges(a.begin() + rank * width, a.begin() + (rank + 1) * width, a.begin() + row * width);
-      m_row[column] = rank;
-      const double pivot = a[rank * width + column];
-      for (int j = 0; j < width; ++j)
-        a[rank * width + j] /= pivot;
-      for (int i = 0; i < m(); ++i)
-        if (const double multiple = a[i * width + column]; i != rank && multiple != 0)
-          for (int j = 0; j < width; ++j)
-            a[i * width + j] -= multiple * a[rank * width + j];
-    }
+    m_row = gauss_jordan(m_rows, length, n(), n() - 1, [](double x) { return std::abs(x); });
+    if (m_row.empty())
+      return false;
     m_transform.resize(m() * m());
     for (int i = 0; i < m(); ++i)
-      std::copy_n(a.begin() + i * width + n(), m(), m_transform.begin() + i * m());
+      std::copy_n(m_rows.begin() + i * length + n(), m(), m_transform.begin() + i * m());
     return true;
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ class Nearly_double_root
 
   std::vector<Power_polynomial> m_equalities;
   std::size_t m_dimension;
-  std::vector<Number> m_rows;      // value, gradient, unit vector of each equality
+  std::vector<Number> m_rows;      // gradient, unit vector and value of each equality
   std::vector<Number> m_hessians;  // of each equality
   std::vector<int> m_row;          // per unknown; -1: the free one
 
@@ -52,7 +53,8 @@ public:
     for (int step = 0, precision = 128; step < most_steps; ++step) {
       const Mpfr_precision_scope scope(precision);
       evaluate(point);
-      if (!eliminate())
+      m_row = gauss_jordan(m_rows, row_length(), m_dimension, m_dimension - 1, [](const Number& x) { return size(x); });
+      if (m_row.empty())
         return false;
       const auto [move, value] = newton_step();
       double longest = 0;
@@ -94,7 +96,7 @@ private:
     const auto derivative = [&](Number value, std::initializer_list<std::size_t> axes) {
       std::vector<int> left = exponents;
       for (std::size_t j : axes)
-        value *= Number(left[j]-- );
+        value *= Number(left[j]--);
       for (std::size_t j = 0; j < n; ++j)
         if (left[j] > 0)
           value *= powers[j][left[j]];
@@ -102,16 +104,16 @@ private:
     };
     for (std::size_t i = 0; i < n; ++i) {
       Number* row = m_rows.data() + i * row_length();
-      row[1 + n + i] = Number(1);
+      row[n + i] = Number(1);
       for (const auto& [monomial, coefficient] : m_equalities[i].terms()) {
         std::fill(exponents.begin(), exponents.end(), 0);
         for (const auto& [v, e] : monomial.powers)
           exponents[v] = e;
         const Number c(coefficient);
-        row[0] += derivative(c, {});
+        row[2 * n] += derivative(c, {});
         for (std::size_t j = 0; j < n; ++j)
           if (exponents[j] > 0) {
-            row[1 + j] += derivative(c, {j});
+            row[j] += derivative(c, {j});
             for (std::size_t l = 0; l <= j; ++l)
               if (exponents[l] > (l == j ? 1 : 0)) {
                 const Number second = derivative(c, {j, l});
@@ -126,38 +128,6 @@ private:
 
   static double size(const Number& x) { return std::abs(CGAL::to_double(x.midpoint())); }
 
-  // Gauss-Jordan elimination with n - 1 pivots.
-  bool eliminate()
-  {
-    const std::size_t n = m_dimension, length = row_length();
-    m_row.assign(n, -1);
-    for (std::size_t rank = 0; rank + 1 < n; ++rank) {
-      std::size_t row = n, column = n;
-      double largest = 0;
-      for (std::size_t i = rank; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-          if (const double entry = size(m_rows[i * length + 1 + j]); m_row[j] < 0 && entry > largest) {
-            largest = entry;
-            row = i;
-            column = j;
-          }
-      if (row == n)
-        return false;
-      std::swap_ranges(m_rows.begin() + rank * length, m_rows.begin() + (rank + 1) * length, m_rows.begin() + row * length);
-      m_row[column] = static_cast<int>(rank);
-      const Number pivot = m_rows[rank * length + 1 + column];
-      for (std::size_t k = 0; k < length; ++k)
-        m_rows[rank * length + k] /= pivot;
-      for (std::size_t i = 0; i < n; ++i)
-        if (i != rank) {
-          const Number multiple = m_rows[i * length + 1 + column];
-          for (std::size_t k = 0; k < length; ++k)
-            m_rows[i * length + k] -= multiple * m_rows[rank * length + k];
-        }
-    }
-    return true;
-  }
-
   // To the point with w = 0 and no slope of the last row along the kernel; and the size of the last row there, relative to its curvature.
   std::pair<std::vector<Exact_rational>, double> newton_step()
   {
@@ -167,14 +137,14 @@ private:
     std::vector<Number> kernel(n, Number(1)), move(n, Number(0));
     for (std::size_t j = 0; j < n; ++j)
       if (j != free) {
-        kernel[j] = -m_rows[m_row[j] * length + 1 + free];
-        move[j] = -m_rows[m_row[j] * length];
+        kernel[j] = -m_rows[m_row[j] * length + free];
+        move[j] = -m_rows[m_row[j] * length + 2 * n];
       }
-    Number curvature(0), mixed(last[1 + free]);   // of the last row: along the kernel, and along kernel and move
+    Number curvature(0), mixed(last[free]);   // of the last row: along the kernel, and along kernel and move
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t l = 0; l < n; ++l) {
-          const Number entry = last[1 + n + i] * m_hessians[(i * n + j) * n + l] * kernel[j];
+          const Number entry = last[n + i] * m_hessians[(i * n + j) * n + l] * kernel[j];
           curvature += entry * kernel[l];
           mixed += entry * move[l];
         }
@@ -185,7 +155,7 @@ private:
     std::vector<Exact_rational> result;
     for (std::size_t j = 0; j < n; ++j)
       result.push_back(move[j].midpoint() + s * kernel[j].midpoint());
-    return {result, size(last[0]) / size(curvature)};
+    return {result, size(last[2 * n]) / size(curvature)};
   }
 };
 
