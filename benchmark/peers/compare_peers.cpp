@@ -175,10 +175,13 @@ void compare_curve_intersections(const std::vector<Program>& programs, const std
     print_row(row);
 
     const Runs& own = runs[0];
+    if (own.runs.empty())
+      continue;
     const auto of = [&](const auto& projection) { return median(own, projection); };
     const double building = of([](const Phases& p) { return p.building; }), setup = of([](const Phases& p) { return p.setup; }),
                  rebuilding = of([](const Phases& p) { return p.rebuilding; }), refinement = of([](const Phases& p) { return p.refinement; });
-    details.push_back({problem.name, formatted(of([](const Phases& p) { return p.nodes; })), formatted(of([](const Phases& p) { return p.rebuilds; })),
+    const auto count = [&](const auto& projection) { return std::to_string(std::lround(of(projection))); };
+    details.push_back({problem.name, count([](const Phases& p) { return p.nodes; }), count([](const Phases& p) { return p.rebuilds; }),
                        milliseconds(total(own)), milliseconds(building), milliseconds(setup), milliseconds(rebuilding), milliseconds(refinement),
                        milliseconds(total(own) - building - setup - rebuilding - refinement)});
   }

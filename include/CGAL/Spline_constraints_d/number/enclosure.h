@@ -110,18 +110,21 @@ inline CGAL::Comparison_result compare_to_double(const Exact_rational& x, double
   return CGAL::compare(x, rational_of_finite(bound));
 }
 
-// Whether x is a double far from underflow and overflow, which is then its value: most numbers that users write.
-template <Readable_as_mpq Rational>
-bool is_small_dyadic(const Rational& x, double& value)
+// Whether x is seen to be a double far from underflow and overflow, which is then its value: most numbers that users write.
+template <class Rational>
+bool is_small_dyadic([[maybe_unused]] const Rational& x, [[maybe_unused]] double& value)
 {
-  mpz_srcptr numerator = mpq_numref(mpq_of(x)), denominator = mpq_denref(mpq_of(x));
-  if (mpz_sizeinbase(numerator, 2) > 53 || mpz_popcount(denominator) != 1)
+  if constexpr (Readable_as_mpq<Rational>) {
+    mpz_srcptr numerator = mpq_numref(mpq_of(x)), denominator = mpq_denref(mpq_of(x));
+    if (mpz_sizeinbase(numerator, 2) > 53 || mpz_popcount(denominator) != 1)
+      return false;
+    const std::size_t exponent = mpz_sizeinbase(denominator, 2) - 1;
+    if (exponent > 1000)
+      return false;
+    value = mpz_get_d(numerator) * double_power_of_two(-static_cast<int>(exponent));
+    return true;
+  } else
     return false;
-  const std::size_t exponent = mpz_sizeinbase(denominator, 2) - 1;
-  if (exponent > 1000)
-    return false;
-  value = mpz_get_d(numerator) * double_power_of_two(-static_cast<int>(exponent));
-  return true;
 }
 
 inline bool is_tightest_enclosure(const std::pair<double, double>& bounds, const Exact_rational& x)
@@ -230,9 +233,9 @@ inline std::pair<double, double> to_double_interval(const Exact_rational& x)
 {
   // For CGAL::Quotient, CGAL::to_interval() has assertions that fail for denormals, and near overflow in some
   // rounding modes.
+  if (double value = 0; internal::is_small_dyadic(x, value))
+    return {value, value};
   if constexpr (internal::Readable_as_mpq<Exact_rational>) {
-    if (double value; internal::is_small_dyadic(x, value))
-      return {value, value};
     const std::pair<double, double> proposal = CGAL::to_interval(x);
     if (internal::is_tightest_enclosure(proposal, x))
       return proposal;
