@@ -85,10 +85,11 @@ private:
     return result;
   }
 
+  // The part of the domain that the cell is.
   double share_of(const Univariate_cell& cell) const
   {
-    const Exact_rational width = m_system.domain(0).second - m_system.domain(0).first;
-    return width == Exact_rational(0) ? 1 : CGAL::to_double(Exact_rational((cell.upper - cell.lower) / width));
+    const auto& [lower, upper] = m_system.domain(0);
+    return m_cells.size() == 1 ? 1 : CGAL::to_double(Exact_rational((cell.upper - cell.lower) / (upper - lower)));
   }
 
   bool satisfies_inequalities(const Univariate_cell& cell, Exact_root& root) const
