@@ -382,7 +382,8 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
     const std::size_t members = block.functions.size();
-    const double denominator = approximate(m_denominators[b]);
+    const long length = bit_length(m_denominators[b]);   // in the hundreds of degrees, the denominator leaves the range of double
+    const double denominator = to_scaled_double(m_denominators[b], -length);
     for (std::size_t m = 0; m < members; ++m)
       errors[block.first_error + m] = 0;
     for (std::size_t i = 0; i < block.size(); ++i) {
@@ -390,13 +391,12 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
       const long shift = exponents[b] - scale[block.functions[m]];
       const Big_integer& value = m_values[block.offset + i];
       if constexpr (std::is_same_v<NT, double>) {
-        const double rounded = to_scaled_double(value, shift) / denominator;
+        const double rounded = to_scaled_double(value, shift - length) / denominator;
         coefficients[block.offset + i] = rounded;
         double& error = errors[block.first_error + m];
         error = (std::max)(error, std::abs(rounded));
       } else {
-        coefficients[block.offset + i] = Number_traits<NT>::from_rational(
-          scaled_rational(value, shift) / scaled_rational(m_denominators[b], 0));
+        coefficients[block.offset + i] = Number_traits<NT>::from_rational(scaled_rational(value, shift) / scaled_rational(m_denominators[b], 0));
       }
     }
     for (std::size_t m = 0; m < members; ++m)
