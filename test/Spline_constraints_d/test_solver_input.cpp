@@ -6,7 +6,9 @@
 #include "solver_test_checks.h"
 
 #include <chrono>
+#include <cmath>
 #include <limits>
+#include <span>
 #include <thread>
 
 using namespace solver_test;
@@ -400,4 +402,23 @@ TEST(Solver_policies, Stubs)
   expect_right_with_stubs<SC::Solver_traits<double, Test_that_never_decides>>();
   expect_right_with_stubs<SC::Solver_traits<double, SC::Graph_box_test, Excluding_reduction>>();
   expect_right_with_stubs<SC::Solver_traits<double, SC::Normal_cone_test, Reduction_that_does_nothing, Splitter_in_turn>>();
+}
+
+// The binomials of such degrees leave the range of double.
+TEST(Solver_input, HighDegree)
+{
+  const int degree = 800;
+  const System system = with_equalities(cube(1, 0, 1), {pow(x, degree) - fraction(1, 2)});
+  const SC::internal::System_layout layout(system);
+  SC::internal::Exact_source source(system, layout);
+  std::vector<double> coefficients(layout.size), errors(layout.errors);
+  std::vector<long> scale;
+  const std::vector<double> lower{0}, upper{1};
+  source.bernstein_coefficients(SC::internal::Cell{0}, std::span<const double>(lower), std::span<const double>(upper), coefficients.data(), errors.data(), scale);
+  ASSERT_EQ(coefficients.size(), degree + 1u);
+  for (int k = 0; k <= degree; ++k)   // -1/2, but for the last
+    EXPECT_NEAR(std::ldexp(coefficients[k], static_cast<int>(scale[0])), k < degree ? -0.5 : 0.5, 1e-12) << k;
+  const auto solutions = SC::solve(system);
+  ASSERT_EQ(solutions.count(Solution_kind::CERTIFIED), 1u);
+  EXPECT_NEAR(solutions[0].point()[0], std::pow(0.5, 1.0 / degree), 1e-12);
 }
