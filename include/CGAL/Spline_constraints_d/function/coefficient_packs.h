@@ -99,6 +99,25 @@ inline void run_with_constant(std::size_t value, const Run& run)
     run_with_constant<most - 1>(value, run);
 }
 
+// Packs of the numbers of so many interleaved functions: after how many the functions come round, and how many at a time hide the latency of an operation.
+template <int members>
+constexpr int packs_per_round = std::lcm(members, pack_size) / pack_size;
+template <int members>
+constexpr int packs_at_a_time = packs_per_round<members> * (packs_per_round<members> >= 3 ? 1 : 4 / packs_per_round<members>);
+
+// A number per function, times a factor, for a round.
+template <int members>
+struct Pack_round
+{
+  Pack packs[packs_per_round<members>];
+
+  explicit Pack_round(const double* numbers, double factor = 1)
+  {
+    unroll<packs_per_round<members>>(
+      [&](auto k) { packs[k] = Pack(numbers[k * pack_size % members], numbers[(k * pack_size + 1) % members]) * factor; });
+  }
+};
+
 /*
 The least and the largest numbers per function, for so many functions that are interleaved. below(Pack(), begin, i) and above(Pack(), begin, i) are the numbers from place i on of a range
 that begins at `begin`, with the first function, and has a multiple of `members` numbers. Because the last step over a range may take numbers a second time, a range needs `shortest` of them.
@@ -106,8 +125,7 @@ that begins at `begin`, with the first function, and has a multiple of `members`
 template <int members>
 class Pack_bounds
 {
-  static constexpr int few = std::lcm(members, pack_size) / pack_size;   // packs after which the functions come round
-  static constexpr int packs = few * (few >= 3 ? 1 : 4 / few);           // enough of them to hide the latency of a comparison
+  static constexpr int few = packs_per_round<members>, packs = packs_at_a_time<members>;
 
   Pack m_least[packs], m_most[packs];
 
@@ -135,11 +153,10 @@ public:
   // Adds bounds, each less its function's base.
   void add_less(const Pack_bounds& other, const double* base)
   {
-    Pack repeated[few];
-    unroll<few>([&](auto k) { repeated[k] = Pack(base[k * pack_size % members], base[(k * pack_size + 1) % members]); });
+    const Pack_round<members> less(base);
     unroll<packs>([&](auto k) {
-      m_least[k] = lesser(m_least[k], other.m_least[k] - repeated[k % few]);
-      m_most[k] = greater(m_most[k], other.m_most[k] - repeated[k % few]);
+      m_least[k] = lesser(m_least[k], other.m_least[k] - less.packs[k % few]);
+      m_most[k] = greater(m_most[k], other.m_most[k] - less.packs[k % few]);
     });
   }
 
@@ -246,7 +263,7 @@ inline void sum_range(std::size_t functions, std::size_t size, const Value& valu
   std::fill_n(sum, count, 0.0);
   std::size_t i = 0;
   if constexpr (members > 0) {
-    constexpr int few = std::lcm(members, pack_size) / pack_size, packs = few * (few >= 3 ? 1 : 4 / few);
+    constexpr int packs = packs_at_a_time<members>;
     if (size >= packs * pack_size) {
       Pack sums[packs];
       unroll<packs>([&](auto k) { sums[k] = Pack(0); });
@@ -269,12 +286,11 @@ inline void add_repeated(std::size_t functions, std::size_t size, const double* 
   const std::size_t count = members > 0 ? members : functions;
   std::size_t i = 0;
   if constexpr (members > 0) {
-    constexpr int few = std::lcm(members, pack_size) / pack_size;
+    constexpr int few = packs_per_round<members>;
     if (size >= few * pack_size) {
-      Pack repeated[few];
-      unroll<few>([&](auto k) { repeated[k] = Pack(addend[k * pack_size % members], addend[(k * pack_size + 1) % members]) * factor; });
+      const Pack_round<members> repeated(addend, factor);
       for (; i + few * pack_size <= size; i += few * pack_size)
-        unroll<few>([&](auto k) { store(to + i + k * pack_size, load(Pack(), from + i + k * pack_size) + repeated[k]); });
+        unroll<few>([&](auto k) { store(to + i + k * pack_size, load(Pack(), from + i + k * pack_size) + repeated.packs[k]); });
     }
   }
   for (; i < size; i += count)
