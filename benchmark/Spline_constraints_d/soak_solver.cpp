@@ -5,7 +5,7 @@
 soak_solver [count = 10000] [first seed = 1] [seconds per exact run = 0.5]
 
 Solves random systems, one per seed, with Certified_solver_traits and with Exact_solver_traits, and compares the answers. A root that one of them certifies is the same as one of the
-other, or it lies in a box that the other one leaves undecided or reports as a cluster. Runs that reach their limit leave the rest of the domain undecided; they are compared all the
+other, or it meets a box that the other one leaves undecided or reports as a cluster. Runs that reach their limit leave the rest of the domain undecided; they are compared all the
 same, and counted. Prints
 
 - matched: roots that both certified;
@@ -13,7 +13,7 @@ same, and counted. Prints
 - extra: the other way round, and answers that count one root twice;
 - the roots that one certified and the other left open, the answers that verify() did not prove, the runs that reached a limit;
 
-and the seeds of systems with lost or extra roots. The exit status is 0 when there are none, else 1.
+after every 1000 systems and at the end, and the seeds of systems with lost or extra roots or answers that were not proved. The exit status is 0 when there are none, else 1.
 */
 
 #include "soak_systems.h"
@@ -21,8 +21,12 @@ and the seeds of systems with lost or extra roots. The exit status is 0 when the
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 using namespace solver_benchmark;
 using Solution_kind = SC::Solution_kind;
@@ -115,6 +119,7 @@ static void compare(std::uint64_t seed, double seconds, Counts& counts)
 {
   constexpr double seconds_certified = 5;
   const Soak_system problem = Soak_systems(seed).make();
+  const std::size_t unproved_before = counts.unproved;
   const Run certified = solved<SC::Certified_solver_traits>(problem, seconds_certified, counts, counts.certified_incomplete);
   const Run exact = solved<SC::Exact_solver_traits>(problem, seconds, counts, counts.exact_incomplete);
   const Comparison forth(certified, exact), back(exact, certified);
@@ -129,8 +134,17 @@ static void compare(std::uint64_t seed, double seconds, Counts& counts)
   counts.open_in_certified += back.open;
   counts.certified_limited += certified.is_limited;
   counts.exact_limited += exact.is_limited;
-  if (lost + extra > 0)
-    std::cout << "seed " << seed << " (" << problem.name << ", " << problem.system.dimension() << " unknowns): " << lost << " lost, " << extra << " extra" << std::endl;
+  if (const std::size_t unproved = counts.unproved - unproved_before; lost + extra + unproved > 0)
+    std::cout << "seed " << seed << " (" << problem.name << ", " << problem.system.dimension() << " unknowns): " << lost << " lost, " << extra << " extra, " << unproved
+              << " not proved" << std::endl;
+}
+
+static void print(const Counts& counts)
+{
+  std::cout << counts.systems << " systems, " << counts.planted << " planted solutions\n"
+            << "matched: " << counts.matched << "\nlost: " << counts.lost << "\nextra: " << counts.extra << "\nopen in certified: " << counts.open_in_certified
+            << "\nopen in exact: " << counts.open_in_exact << "\nnot proved by verify(): " << counts.unproved << "\nincomplete, certified: " << counts.certified_incomplete << " ("
+            << counts.certified_limited << " at the time limit)\nincomplete, exact: " << counts.exact_incomplete << " (" << counts.exact_limited << " at the time limit)" << std::endl;
 }
 
 int main(int count_of_arguments, char** arguments)
@@ -139,11 +153,10 @@ int main(int count_of_arguments, char** arguments)
   const std::uint64_t first = count_of_arguments > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;
   const double seconds = count_of_arguments > 3 ? std::strtod(arguments[3], nullptr) : 0.5;
   Counts counts;
-  for (std::uint64_t seed = first; seed < first + count; ++seed)
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
     compare(seed, seconds, counts);
-  std::cout << counts.systems << " systems, " << counts.planted << " planted solutions\n"
-            << "matched: " << counts.matched << "\nlost: " << counts.lost << "\nextra: " << counts.extra << "\nopen in certified: " << counts.open_in_certified
-            << "\nopen in exact: " << counts.open_in_exact << "\nnot proved by verify(): " << counts.unproved << "\nincomplete, certified: " << counts.certified_incomplete << " ("
-            << counts.certified_limited << " at the time limit)\nincomplete, exact: " << counts.exact_incomplete << " (" << counts.exact_limited << " at the time limit)" << std::endl;
+    if (counts.systems % 1000 == 0 || counts.systems == count)
+      print(counts);
+  }
   return counts.systems > 0 && counts.lost == 0 && counts.extra == 0 ? 0 : 1;
 }
