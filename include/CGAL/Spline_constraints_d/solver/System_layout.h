@@ -37,15 +37,6 @@ struct Block
 
   std::size_t size() const { return points * functions.size(); }
 
-  // The shortest run of whole axes that fills a few vector registers, at most `limit` numbers.
-  std::size_t stretch(std::size_t limit) const
-  {
-    for (std::size_t j = lengths.size(); j-- > 0;)
-      if (lengths[j] >= 16 || lengths[j] == limit)
-        return lengths[j] <= limit ? lengths[j] : limit;
-    return limit;
-  }
-
   Axis_view view(std::size_t axis) const
   {
     Axis_view result{1, degrees[axis], functions.size()};
