@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_H
 
 #include <CGAL/Spline_constraints_d/solver/Box_node.h>
-#include <CGAL/Spline_constraints_d/solver/Double_root.h>
+#include <CGAL/Spline_constraints_d/solver/Multiple_root.h>
 #include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Preconditioned_system.h>
@@ -94,8 +94,8 @@ private:
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
   std::vector<Task> m_pending;
-  std::vector<Double_root> m_double_roots;
-  const std::vector<Double_root>* m_known_double_roots = nullptr;
+  std::vector<Multiple_root> m_multiple_roots;
+  const std::vector<Multiple_root>* m_known_multiple_roots = nullptr;
   std::vector<Relation> m_relations;
   std::vector<double> m_rating, m_widths, m_domain_widths;
   Cell m_cell;
@@ -163,11 +163,39 @@ public:
   // Boxes that look like pieces of a curve of solutions; their solutions have at most dimension one.
   std::vector<Open_box<Coordinate>>& curve_boxes() { return m_curve_boxes; }
 
-  // Roots of multiplicity 2; and others, found elsewhere.
-  std::vector<Double_root>& double_roots() { return m_double_roots; }
-  void set_known_double_roots(const std::vector<Double_root>* roots) { m_known_double_roots = roots; }
+  // Multiple roots; and others, found elsewhere.
+  std::vector<Multiple_root>& multiple_roots() { return m_multiple_roots; }
+  void set_known_multiple_roots(const std::vector<Multiple_root>* roots) { m_known_multiple_roots = roots; }
+
+  // Tries whether the simplest point of a box is a multiple root; if so, it is kept.
+  bool guess_multiple_root(const Cell& cell, const std::vector<Coordinate>& box_lower, const std::vector<Coordinate>& box_upper, const std::vector<double>& widths)
+  {
+    std::vector<double> lower, upper;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      lower.push_back(to_double_interval(Exact_rational(box_lower[j])).first);
+      upper.push_back(to_double_interval(Exact_rational(box_upper[j])).second);
+    }
+    auto root = multiple_root_in(m_system, lower, upper, widths);
+    if (!root || !clip_to_cell(cell, *root))
+      return false;
+    m_multiple_roots.push_back(std::move(*root));
+    return true;
+  }
 
 private:
+  // Beyond the cell the equalities are others.
+  bool clip_to_cell(const Cell& cell, Multiple_root& root)
+  {
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (const auto& breaks = m_analysis.source().breaks(j); breaks.size() > 2) {
+        root.lower[j] = (std::max)(root.lower[j], to_double_interval(breaks[cell[j]]).second);
+        root.upper[j] = (std::min)(root.upper[j], to_double_interval(breaks[cell[j] + 1]).first);
+        if (root.point[j] <= breaks[cell[j]] || breaks[cell[j] + 1] <= root.point[j])
+          return false;
+      }
+    return true;
+  }
+
   Node& level(std::size_t index)
   {
     while (m_nodes.size() <= index)
@@ -190,7 +218,7 @@ private:
         m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, share});
         return;
       }
-      const Verdict verdict = holds_double_root(node, passes) ? Verdict::DONE : examine(node, depth, is_fresh);
+      const Verdict verdict = holds_multiple_root(node, passes) ? Verdict::DONE : examine(node, depth, is_fresh);
       is_fresh = verdict == Verdict::REBUILT;
       switch (verdict) {
       case Verdict::DONE:
@@ -221,26 +249,17 @@ private:
     }
   }
 
-  // The node lies in the box of a double root. It may hold a new one when it has shrunk again and again, but nothing else came of it: then boxes shrink by a constant factor only.
-  bool holds_double_root(const Node& node, int passes)
+  // The node lies in the box of a multiple root. It may hold a new one when it has shrunk again and again, but nothing else came of it: then boxes shrink by a constant factor only.
+  bool holds_multiple_root(const Node& node, int passes)
   {
-    const auto covers = [&](const Double_root& root) { return root.covers(node.lower, node.upper); };
-    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), covers) ||
-        (m_known_double_roots != nullptr && std::any_of(m_known_double_roots->begin(), m_known_double_roots->end(), covers)))
+    const auto covers = [&](const Multiple_root& root) { return root.covers(node.lower, node.upper); };
+    if (std::any_of(m_multiple_roots.begin(), m_multiple_roots.end(), covers) ||
+        (m_known_multiple_roots != nullptr && std::any_of(m_known_multiple_roots->begin(), m_known_multiple_roots->end(), covers)))
       return true;
-    if ((passes != 6 && passes != 12 && passes != 24) || m_point_guesses >= m_most_guesses + 8 * m_double_roots.size())
+    if ((passes != 6 && passes != 12 && passes != 24) || m_point_guesses >= m_most_guesses + 8 * m_multiple_roots.size())
       return false;
     ++m_point_guesses;
-    std::vector<double> lower, upper;
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      lower.push_back(to_double_interval(Exact_rational(node.lower[j])).first);
-      upper.push_back(to_double_interval(Exact_rational(node.upper[j])).second);
-    }
-    auto root = double_root_in(m_system, lower, upper, m_domain_widths);
-    if (!root || !clip_to_cell(*root))
-      return false;
-    m_double_roots.push_back(std::move(*root));
-    return covers(m_double_roots.back());
+    return guess_multiple_root(m_cell, node.lower, node.upper, m_domain_widths) && covers(m_multiple_roots.back());
   }
 
   // With two unknowns a common factor of the equalities would tell. Asked now and then, and not many times more often than it pays.
@@ -251,19 +270,6 @@ private:
       return false;
     ++m_curve_guesses;
     return m_curve_test(m_cell, node, m_domain_widths);
-  }
-
-  // Beyond the cell the equalities are others.
-  bool clip_to_cell(Double_root& root)
-  {
-    for (int j = 0; j < m_layout.dimension; ++j)
-      if (const auto& breaks = m_analysis.source().breaks(j); breaks.size() > 2) {
-        root.lower[j] = (std::max)(root.lower[j], to_double_interval(breaks[m_cell[j]]).second);
-        root.upper[j] = (std::min)(root.upper[j], to_double_interval(breaks[m_cell[j] + 1]).first);
-        if (root.point[j] <= breaks[m_cell[j]] || breaks[m_cell[j] + 1] <= root.point[j])
-          return false;
-      }
-    return true;
   }
 
   // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.

@@ -51,7 +51,7 @@ class Subdivision_walk
     std::vector<Found_root<Coordinate>> roots;
     std::vector<Open_box<Coordinate>> open, curve_boxes;
     std::vector<Task> pending;
-    std::vector<Double_root> double_roots;
+    std::vector<Multiple_root> multiple_roots;
     std::size_t looks = 0, gains = 0;
   };
 
@@ -64,17 +64,17 @@ class Subdivision_walk
     Walk walk;
 
     Worker(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control,
-           const std::vector<Found_root<Coordinate>>* known, const std::vector<Double_root>* known_double_roots)
+           const std::vector<Found_root<Coordinate>>* known, const std::vector<Multiple_root>* known_multiple_roots)
       : source(system, layout), roots(system, layout, source, options.precision, known), walk(system, layout, source, options, control, roots, summary)
     {
-      walk.set_known_double_roots(known_double_roots);
+      walk.set_known_multiple_roots(known_multiple_roots);
     }
 
     Outcome run(const Task& task, const Task_limits& limits)
     {
       walk.run(task, limits);
       return {std::exchange(roots.roots(), {}), std::exchange(walk.open_boxes(), {}), std::exchange(walk.curve_boxes(), {}), std::exchange(walk.pending(), {}),
-              std::exchange(walk.double_roots(), {}), walk.looks(), walk.gains()};
+              std::exchange(walk.multiple_roots(), {}), walk.looks(), walk.gains()};
     }
   };
 
@@ -84,7 +84,7 @@ class Subdivision_walk
   const System_layout& m_layout;
   const Solver_options& m_options;
   Run_control& m_control;
-  std::vector<Double_root> m_double_roots;
+  std::vector<Multiple_root> m_multiple_roots;
   Worker m_worker;   // of this thread
   Root_collection<NT> m_roots;
   std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
@@ -98,7 +98,7 @@ class Subdivision_walk
 
 public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr, &m_double_roots),
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr, &m_multiple_roots),
       m_roots(system, layout, m_worker.source, options.precision)
   {
     m_worker.roots.set_others(&m_roots.roots());
@@ -111,8 +111,8 @@ public:
   // Boxes that look like pieces of a curve of solutions.
   const std::vector<Open_box<Coordinate>>& curve_boxes() const { return m_curve_boxes; }
 
-  // Solutions of multiplicity 2; one may be there several times, with different boxes.
-  const std::vector<Double_root>& double_roots() const { return m_double_roots; }
+  // Multiple roots that were guessed and proved; one may be there several times, with different boxes.
+  const std::vector<Multiple_root>& multiple_roots() const { return m_multiple_roots; }
 
   // Cells that the walk has left since the equalities have a common factor there; solutions that were certified there stay among the roots.
   std::vector<Common_cell> common_cells() const
@@ -140,10 +140,11 @@ public:
       std::vector<Task_limits> limits = limits_of(tasks.size(), budget);
       if (budget == first_budget)
         for (Task_limits& limit : limits)
-          limit.depth = 8 * (m_layout.dimension + 1);
+          limit.depth = deep_level();
       if (limits.front().nodes > 0)
         tasks = collect(tasks, run_round(tasks, limits));
       leave_common_cells(tasks);
+      guess_multiple_roots(tasks);
       std::move(later.begin(), later.end(), std::back_inserter(tasks));
       if (limits.front().nodes == 0)
         break;
@@ -167,7 +168,7 @@ public:
       return;
     Solver_options options = m_options;
     options.tolerance /= 4096;
-    Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_double_roots);
+    Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_multiple_roots);
     std::vector<Open_box<Coordinate>> kept;
     for (Open_box<Coordinate>& box : m_open) {
       if (box.reason == Undecided_reason::TOLERANCE && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
@@ -175,7 +176,7 @@ public:
         Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
         const bool are_counted = collect_roots(outcome.roots, box.cell, kept);
-        std::move(outcome.double_roots.begin(), outcome.double_roots.end(), std::back_inserter(m_double_roots));
+        std::move(outcome.multiple_roots.begin(), outcome.multiple_roots.end(), std::back_inserter(m_multiple_roots));
         std::move(outcome.curve_boxes.begin(), outcome.curve_boxes.end(), std::back_inserter(m_curve_boxes));
         if (is_decided && are_counted)
           continue;
@@ -260,6 +261,31 @@ private:
     std::erase_if(m_curve_boxes, is_common);
   }
 
+  // Where boxes become small and stay undecided, one of those that are left may hold the multiple root that keeps the others open: the smaller, the easier to guess.
+  void guess_multiple_roots(const std::vector<Task>& tasks)
+  {
+    constexpr std::size_t most_guesses = 64, many_nodes = 1000;
+    Summary summary;
+    add_to(summary);
+    if (summary.depth <= deep_level() && summary.nodes < many_nodes && m_open.empty())
+      return;
+    std::vector<const Task*> order;
+    for (const Task& task : tasks)
+      if (task.depth > 0)
+        order.push_back(&task);
+    std::stable_sort(order.begin(), order.end(), [](const Task* a, const Task* b) { return a->depth > b->depth; });
+    order.resize((std::min)(order.size(), most_guesses));
+    for (const Task* task : order)
+      if (std::none_of(m_multiple_roots.begin(), m_multiple_roots.end(), [&](const Multiple_root& root) { return root.covers(task->lower, task->upper); })) {
+        m_worker.walk.guess_multiple_root(task->cell, task->lower, task->upper, task->domain_widths);
+        std::move(m_worker.walk.multiple_roots().begin(), m_worker.walk.multiple_roots().end(), std::back_inserter(m_multiple_roots));
+        m_worker.walk.multiple_roots().clear();
+      }
+  }
+
+  // Splits after which most boxes around regular roots are done.
+  int deep_level() const { return 8 * (m_layout.dimension + 1); }
+
   // The limits of the tasks of a round, which together keep to the node limit, and to the looks at C f and the attempts that are left.
   std::vector<Task_limits> limits_of(std::size_t count, std::size_t budget)
   {
@@ -301,7 +327,7 @@ private:
           [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
           auto& worker = m_workers.local();
           if (worker == nullptr)
-            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_double_roots);
+            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
           run_task(i, *worker);
           hand_over();
         });
@@ -323,7 +349,7 @@ private:
     std::vector<Task> pending;
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       collect_roots(outcomes[i].roots, tasks[i].cell, m_open);
-      std::move(outcomes[i].double_roots.begin(), outcomes[i].double_roots.end(), std::back_inserter(m_double_roots));
+      std::move(outcomes[i].multiple_roots.begin(), outcomes[i].multiple_roots.end(), std::back_inserter(m_multiple_roots));
       m_looks += outcomes[i].looks;
       m_gains += outcomes[i].gains;
       std::move(outcomes[i].open.begin(), outcomes[i].open.end(), std::back_inserter(m_open));

@@ -104,7 +104,7 @@ public:
     m_walk.add_to(summary);
     for (const auto& root : m_walk.roots().roots())
       report_root<NT>(root, m_solutions);
-    report_double_roots();
+    report_multiple_roots();
     report_curves();
     report_continua();
     report_open_boxes();
@@ -114,13 +114,13 @@ public:
   std::vector<Solution> take() { return std::move(m_solutions); }
 
 private:
-  void report_double_roots()
+  void report_multiple_roots()
   {
     std::set<std::vector<Exact_rational>> points;
-    for (const Double_root& root : m_walk.double_roots())
+    for (const Multiple_root& root : m_walk.multiple_roots())
       if (points.insert(root.point).second && is_in_domain(root.point) && satisfies(m_system, root.point)) {
         const Open_box<Coordinate> box = open_box(hull(root.point, root.point));
-        m_solutions.emplace_back(Solution_kind::CLUSTER, make_box(box.lower, box.upper), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, 2);
+        m_solutions.emplace_back(Solution_kind::CLUSTER, make_box(box.lower, box.upper), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, root.multiplicity);
       }
   }
 
@@ -191,7 +191,7 @@ private:
   {
     std::erase_if(m_walk.open_boxes(), [&](const auto& box) {   // whose only root is known
       return m_walk.roots().is_covered(box.lower, box.upper) ||
-             std::any_of(m_walk.double_roots().begin(), m_walk.double_roots().end(), [&](const Double_root& root) { return root.covers(box.lower, box.upper); });
+             std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(), [&](const Multiple_root& root) { return root.covers(box.lower, box.upper); });
     });
     if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
       Precision_ladder ladder(m_system, m_layout, m_walk.source(), m_walk.roots(), m_options, m_control, m_summary);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_H
-#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_TEST_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_TEST_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
@@ -14,57 +14,12 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// A rational solution of multiplicity 2, and a box around it without any other one.
-struct Double_root
-{
-  std::vector<Exact_rational> point;
-  std::vector<double> lower, upper;
-
-  template <class Coordinate>
-  bool covers(const std::vector<Coordinate>& box_lower, const std::vector<Coordinate>& box_upper) const
-  {
-    for (std::size_t j = 0; j < lower.size(); ++j)
-      if (box_lower[j] < Coordinate(lower[j]) || Coordinate(upper[j]) < box_upper[j])
-        return false;
-    return true;
-  }
-};
-
-/*
-The simplest fraction in a range, when its denominator is small: by continued fractions in doubles. It is a guess, and rounding may make it a wrong one.
-*/
-inline std::optional<Exact_rational> short_rational_between(double lower, double upper)
-{
-  if (upper < 0) {
-    const auto opposite = short_rational_between(-upper, -lower);
-    return opposite ? std::optional(Exact_rational(-*opposite)) : std::nullopt;
-  }
-  if (lower <= 0)
-    return Exact_rational(0);
-  constexpr double largest_numerator = 0x1p50, largest_denominator = 0x1p22;
-  double p0 = 0, p1 = 1, q0 = 1, q1 = 0;   // the last two convergents
-  for (bool is_last = false; !is_last;) {
-    const double whole = std::floor(lower);
-    is_last = whole == lower || whole + 1 <= upper;
-    const double digit = whole < lower && is_last ? whole + 1 : whole;
-    p0 = std::exchange(p1, digit * p1 + p0);
-    q0 = std::exchange(q1, digit * q1 + q0);
-    if (!(p1 <= largest_numerator) || !(q1 <= largest_denominator))
-      return std::nullopt;
-    const double begin = lower - whole, end = upper - whole;
-    lower = 1 / end;
-    upper = 1 / begin;
-  }
-  return Exact_rational(p1) / Exact_rational(q1);
-}
 
 /*
 Proves that a rational solution p has multiplicity 2 and is alone in a box: Jacobian of rank n - 1 with kernels v and lambda, and lambda D^2 f(v,v) not zero (simple double zeros: Dedieu, Shub, On
@@ -93,7 +48,8 @@ class Double_root_test
   std::vector<double> m_kernel;         // |v|
   double m_curvature = 0;               // |b_vv|, rounded down
   std::vector<int> m_row;               // of g, per axis; -1: the free one
-  bool m_is_double = false;
+  bool m_is_double = false, m_has_corank_one = false;
+  std::vector<Exact_rational> m_eliminated;   // (J | I)
 
 public:
   // The polynomials of the equalities around the point, which is a solution and not on a break.
@@ -112,6 +68,11 @@ public:
 
   // Multiplicity 2, over the complex numbers too.
   bool is_double_root() const { return m_is_double; }
+
+  // The Jacobian has rank n - 1, and its elimination.
+  bool has_corank_one() const { return m_has_corank_one; }
+  const std::vector<Exact_rational>& eliminated() const { return m_eliminated; }
+  const std::vector<int>& row_of() const { return m_row; }
 
   // No other solution lies within the distances r of the point.
   bool is_alone(const std::vector<double>& r) const
@@ -213,8 +174,10 @@ private:
     if (m_row.empty())
       return;
     m_free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());
-    if (CGAL::is_zero(rows[2 * n * (n - 1) + m_free]))   // of rank n - 1
+    m_has_corank_one = CGAL::is_zero(rows[2 * n * (n - 1) + m_free]);
+    if (m_has_corank_one)
       combine(terms, rows);
+    m_eliminated = std::move(rows);
   }
 
   void combine(const std::vector<Taylor_terms>& terms, const std::vector<Exact_rational>& rows)
@@ -256,48 +219,8 @@ private:
   }
 };
 
-/*
-The double root that is the simplest rational point of a box of doubles, and alone in a box around this one: as large as is proved, up to the size `widths`.
-*/
-inline std::optional<Double_root> double_root_in(const Constraint_system_d& system, const std::vector<double>& lower, const std::vector<double>& upper,
-                                                 const std::vector<double>& widths)
-{
-  const std::size_t n = lower.size();
-  if (system.equalities().size() != n)
-    return std::nullopt;
-  Double_root result;
-  for (std::size_t j = 0; j < n; ++j) {
-    const auto coordinate = short_rational_between(lower[j], upper[j]);
-    if (!coordinate)
-      return std::nullopt;
-    result.point.push_back(*coordinate);
-  }
-  for (const Spline_function& function : system.equalities())
-    if (!CGAL::is_zero(evaluate_exactly(function, result.point)))
-      return std::nullopt;
-  const Double_root_test test(system, result.point);
-  std::vector<double> centre, least(n), radius(n);
-  for (std::size_t j = 0; j < n; ++j) {
-    centre.push_back(CGAL::to_double(result.point[j]));
-    least[j] = (std::max)(centre[j] - lower[j], upper[j] - centre[j]) * (1 + 1e-9) + std::abs(centre[j]) * 1e-15;
-  }
-  for (double share = 1; share >= 0x1p-20; share /= 4) {
-    for (std::size_t j = 0; j < n; ++j)
-      radius[j] = (std::max)(least[j], share * widths[j]);
-    if (!test.is_alone(radius))
-      continue;
-    for (std::size_t j = 0; j < n; ++j) {   // inwards, whatever the rounding mode
-      const double reach = radius[j] * (1 - 1e-12) - std::abs(centre[j]) * 1e-15;
-      result.lower.push_back(centre[j] - reach);
-      result.upper.push_back(centre[j] + reach);
-    }
-    return result;
-  }
-  return std::nullopt;
-}
-
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DOUBLE_ROOT_TEST_H
