@@ -87,6 +87,19 @@ TYPED_TEST(Degenerate_problems, OnTheBoundary)
   check_clusters<TypeParam>(half, {{{1, 1}, 2}});
 }
 
+// Curves that touch in (1/3, 1/9) to the order k, their equations mixed.
+TEST(Degenerate_contacts, HighOrder)
+{
+  for (int k = 2; k <= 8; ++k) {
+    SCOPED_TRACE(k);
+    const Polynomial f = y - x * x, g = (2 + x) * f + pow(3 * x - 1, k);
+    check_clusters<SC::Certified_solver_traits>(with_equalities(cube(2, -1, 2), {f + g, f - 2 * g}), {{{fraction(1, 3), fraction(1, 9)}, k}});
+  }
+  const Polynomial touching = (z - x * x * x) + pow(3 * x - 1, 3) + (y - x * x) * x;
+  check_clusters<SC::Certified_solver_traits>(with_equalities(cube(3, -1, 2), {y - x * x, z - x * y, touching}),
+                                              {{{fraction(1, 3), fraction(1, 9), fraction(1, 27)}, 3}});
+}
+
 // Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
 TYPED_TEST(Degenerate_problems, DoubleTangentLines)
 {
