@@ -97,7 +97,7 @@ TEST(Precision_ladder, EndsWhereItIsTold)
     expect_nothing_lost(problem.known, solutions);
     EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);
     for (const auto& solution : solutions)
-      EXPECT_EQ(solution.precision(), bits);
+      EXPECT_LE(solution.precision(), bits);   // less where it is clear before that the rung would not tell
   }
   expect_solved(problem, solve(problem.system));
 }

@@ -119,8 +119,13 @@ private:
     std::set<std::vector<Exact_rational>> points;
     for (const Multiple_root& root : m_walk.multiple_roots())
       if (points.insert(root.point).second && is_in_domain(root.point) && satisfies(m_system, root.point)) {
-        const Open_box<Coordinate> box = open_box(hull(root.point, root.point));
-        m_solutions.emplace_back(Solution_kind::CLUSTER, make_box(box.lower, box.upper), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, root.multiplicity);
+        typename Solution::Box box;
+        for (const Exact_rational& x : root.point)
+          if constexpr (std::same_as<Coordinate, double>)
+            box.push_back(to_double_interval(x));
+          else
+            box.emplace_back(x, x);
+        m_solutions.emplace_back(Solution_kind::CLUSTER, std::move(box), typename Solution::Box(), Number_traits<NT>::name, Undecided_reason::NONE, root.multiplicity);
       }
   }
 
