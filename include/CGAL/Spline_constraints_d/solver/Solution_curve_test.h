@@ -53,6 +53,24 @@ public:
     m_node.allocate(layout);
   }
 
+  // Whether the Jacobian may be singular in a node, as it is along a curve of solutions: cheap, and no for most nodes beside regular roots.
+  bool may_be_singular(Node_view& view)
+  {
+    if (!eliminate(view))
+      return true;
+    const int length = n() + m();
+    const int free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());
+    for (int i = n() - 1; i < m(); ++i) {
+      double reach = 0;   // of what is left of the row, where the other rows may be a few times their distance from the identity away
+      for (int j = 0; j < n(); ++j)
+        for (int l = 0; l < m(); ++l)
+          reach += std::abs(m_transform[i * m() + l]) * m_radius[l * n() + j] * (j == free ? 1 : 2 * std::abs(m_rows[m_row[j] * length + free]));
+      if (std::abs(m_rows[i * length + free]) > reach)
+        return false;
+    }
+    return true;
+  }
+
   bool operator()(const Cell& cell, const Box_node<NT>& node, const std::vector<double>& domain_widths)
   {
     surround(node, domain_widths);

@@ -266,7 +266,8 @@ private:
   bool is_piece_of_curve(const Node& node, int depth)
   {
     const int n = m_layout.dimension;
-    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size())
+    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size() ||
+        !m_curve_test.may_be_singular(m_analysis.view))
       return false;
     ++m_curve_guesses;
     return m_curve_test(m_cell, node, m_domain_widths);
