@@ -190,6 +190,39 @@ TEST(Continua, IsolatedZeroOfTheFactor)
   }
 }
 
+// A double root beside a line of solutions comes back once.
+TEST(Continua, DoubleRootBesideALine)
+{
+  const Polynomial line = x - y - 1;
+  const System system = with_equalities(cube(2, -2, 2), {line * (y - x * x), line * (y - 2 * x * x)});
+  const Solutions solutions = SC::solve(system);
+  EXPECT_TRUE(solutions.is_complete());
+  ASSERT_EQ(solutions.size(), 2u);
+  EXPECT_EQ(solutions[0].kind(), Solution_kind::CLUSTER);
+  EXPECT_EQ(solutions[0].multiplicity(), 2);
+  EXPECT_TRUE(meets(solutions[0].box(), {0, 0}));
+  EXPECT_EQ(solutions[1].ends(), (Ends{{-1, -2}, {2, 1}}));
+}
+
+// A limit that ends the run leaves no part of the continuum out, and claims none that is not proved.
+TEST(Continua, Limits)
+{
+  System system = with_equalities(cube(2, -2, 2), {(x - y) * (x * x + y * y - 2), (x - y) * (x * y - fraction(1, 2))});
+  system.add((x - fraction(1, 2)) * (x + fraction(1, 3)) * (x - fraction(3, 2)), Relation::LESS_EQUAL);
+  const Ends first{{-2, -2}, {fraction(-1, 3), fraction(-1, 3)}}, second{{fraction(1, 2), fraction(1, 2)}, {fraction(3, 2), fraction(3, 2)}};
+  std::size_t segments = 0;
+  for (std::size_t nodes : {1, 10, 40, 60, 100, 1000}) {
+    const Solutions solutions = SC::solve(system, {.node_limit = nodes});
+    EXPECT_TRUE(nodes < 1000 || solutions.is_complete());
+    for (const Answer& answer : solutions) {
+      EXPECT_TRUE(answer.ends().empty() || answer.ends() == first || answer.ends() == second) << nodes;
+      segments += !answer.ends().empty();
+    }
+    expect_nothing_lost({{fraction(-1, 1), fraction(-1, 1)}, {fraction(-1, 3), fraction(-1, 3)}, {1, 1}, {fraction(3, 2), fraction(3, 2)}}, solutions);
+  }
+  EXPECT_GE(segments, 2u);
+}
+
 TEST(Continua, ZeroEquations)
 {
   Solutions solutions = SC::solve(with_equalities(cube(2, 0, 1), {Polynomial(), Polynomial()}));

@@ -137,7 +137,7 @@ private:
     return true;
   }
 
-  // What looks like curves of solutions, with the open boxes that touch it.
+  // What looks like curves of solutions, with the tiny open boxes that touch it.
   void report_curves()
   {
     if (m_walk.curve_boxes().empty())
@@ -146,10 +146,12 @@ private:
     std::vector<Exact_box> open;
     for (const auto& box : m_walk.curve_boxes())
       curves.push_back({1, {exact_box(box)}, {}});
+    const auto is_tiny = [](const auto& box) { return box.reason == Undecided_reason::TOLERANCE && is_small(box); };
     for (const auto& box : m_walk.open_boxes())
-      open.push_back(exact_box(box));
+      if (is_tiny(box))
+        open.push_back(exact_box(box));
     join(curves, open);
-    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return std::find(open.begin(), open.end(), exact_box(box)) == open.end(); });
+    std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return is_tiny(box) && std::find(open.begin(), open.end(), exact_box(box)) == open.end(); });
     for (Continuum& curve : curves)
       m_solutions.emplace_back(Solution_kind::UNDECIDED, 1, std::move(curve.cover), std::move(curve.ends));
   }
@@ -291,6 +293,10 @@ private:
 
   void report_beside(const Constraint_system_d& cofactors, const Common_cell& cell, Sign_on_boxes& factor, Solution& solution)
   {
+    if (solution.kind() == Solution_kind::UNDECIDED) {
+      m_solutions.push_back(std::move(solution));
+      return;
+    }
     const auto box = solution.exact_box();
     const Open_box<Coordinate> open = open_box(box);
     if (!factor.is_certain(box) || touches_break(cell, box)) {
@@ -315,6 +321,10 @@ private:
   // A root that was certified before the cell was left.
   bool is_known(const Solution& solution)
   {
+    if (solution.kind() == Solution_kind::CLUSTER) {
+      const Open_box<Coordinate> box = open_box(solution.exact_box());
+      return std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(), [&](const Multiple_root& known) { return known.covers(box.lower, box.upper); });
+    }
     if (!solution.is_certified())
       return false;
     Found_root<Coordinate> root;

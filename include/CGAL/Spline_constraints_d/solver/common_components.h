@@ -166,8 +166,9 @@ std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomi
   if (polynomial.is_constant())
     return {zeros, are_all};
   Constraint_system_d system({range});
-  system.add(polynomial, Relation::EQUAL);
+  system.add(square_free_part(polynomial), Relation::EQUAL);
   for (const auto& solution : solve(system)) {
+    are_all = are_all && solution.is_certified();   // another answer may hold more than one zero
     const auto [lower, upper] = solution.exact_box()[0];
     const Exact_rational first = (std::max)(lower, range.first), last = (std::min)(upper, range.second);
     const Exact_rational zero = first <= last ? simplest_rational_between(first, last) : first;
