@@ -71,20 +71,26 @@ public:
     return true;
   }
 
-  bool operator()(const Cell& cell, const Box_node<NT>& node, const std::vector<double>& domain_widths)
+  // `view`: of the node. It is only for a thin node that the functions are built on another box.
+  bool operator()(const Cell& cell, const Box_node<NT>& node, Node_view& view, const std::vector<double>& domain_widths)
   {
-    surround(node, domain_widths);
-    m_analysis.rebuild(cell, m_node);
-    m_analysis.look_at(m_node);
-    return eliminate(m_analysis.view) && is_graph() && are_zero_along_graph(cell);
+    const bool is_thin = surround(node, domain_widths);
+    if (is_thin) {
+      m_analysis.rebuild(cell, m_node);
+      m_analysis.look_at(m_node);
+    } else
+      m_node.scale = node.scale;
+    return eliminate(is_thin ? m_analysis.view : view) && is_graph() && are_zero_along_graph(cell);
   }
 
 private:
   int n() const { return m_layout.dimension; }
   int m() const { return m_layout.equalities; }
 
-  void surround(const Box_node<NT>& node, const std::vector<double>& domain_widths)
+  // Whether the node was thin.
+  bool surround(const Box_node<NT>& node, const std::vector<double>& domain_widths)
   {
+    bool is_thin = false;
     double widest = 0;
     const auto width = [&](int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); };
     for (int j = 0; j < n(); ++j)
@@ -94,7 +100,9 @@ private:
       const double margin = 0.5 * (0.25 * widest * domain_widths[j] - width(j));
       m_node.lower[j] = margin > 0 ? below(node.lower[j], margin) : node.lower[j];
       m_node.upper[j] = margin > 0 ? above(node.upper[j], margin) : node.upper[j];
+      is_thin = is_thin || margin > 0;
     }
+    return is_thin;
   }
 
   bool eliminate(Node_view& view)

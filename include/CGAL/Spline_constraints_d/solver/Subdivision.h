@@ -270,7 +270,7 @@ private:
         !m_curve_test.may_be_singular(m_analysis.view))
       return false;
     ++m_curve_guesses;
-    return m_curve_test(m_cell, node, m_domain_widths);
+    return m_curve_test(m_cell, node, m_analysis.view, m_domain_widths);
   }
 
   // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.
