@@ -44,6 +44,16 @@ inline double place_above(double lower, double upper, double t)
   return std::nextafter(lower + (t + slack) * (upper - lower), HUGE_VAL);
 }
 
+// The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a thousandth: the fewer digits the ends of boxes have, the shorter
+// are the numbers where functions are built on them exactly.
+inline double short_below(double x, double width)
+{
+  const double unit = std::ldexp(1.0, std::ilogb(width) - 10);
+  return std::floor(x / unit) * unit;
+}
+
+inline double short_above(double x, double width) { return -short_below(-x, width); }
+
 inline Exact_rational place_below(const Exact_rational& lower, const Exact_rational& upper, double t)
 {
   return lower + Exact_rational(std::ldexp(std::floor(std::ldexp(t, 30)) - 1, -30)) * (upper - lower);
@@ -208,6 +218,11 @@ void Box_node<NT>::restrict_to(const System_layout& layout, const Local_box& par
       continue;
     Coordinate new_lower = part.lower[j] == -0.5 ? lower[j] : place_below(lower[j], upper[j], part.lower[j] + 0.5);
     Coordinate new_upper = part.upper[j] == 0.5 ? upper[j] : place_above(lower[j], upper[j], part.upper[j] + 0.5);
+    if constexpr (std::is_same_v<Coordinate, double>)
+      if (const double width = new_upper - new_lower; width > 0x1p-900) {
+        new_lower = short_below(new_lower, width);
+        new_upper = short_above(new_upper, width);
+      }
     if (part.lower[j] >= -0.5)
       new_lower = (std::max)(new_lower, lower[j]);
     if (part.upper[j] <= 0.5)

@@ -82,7 +82,7 @@ inline std::optional<Multiple_root> multiple_root_in(const Constraint_system_d& 
     result.point.push_back(*coordinate);
   }
   for (const Spline_function& function : system.equalities())
-    if (!CGAL::is_zero(evaluate_exactly(function, result.point)))
+    if (!vanishes_at(function, result.point))
       return std::nullopt;
   const Double_root_test test(system, result.point);
   if (!test.has_corank_one())

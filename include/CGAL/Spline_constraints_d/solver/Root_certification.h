@@ -170,7 +170,7 @@ private:
     Trial trial{m_analysis.test_image(m_node), &m_analysis, &m_node};
     if (!may_rebuild || trial.result.verdict != Image_test::OPEN)
       return trial;
-    if (m_analysis.can_be_sharpened(m_node)) {
+    if (m_analysis.is_blurred(m_node) && m_analysis.can_be_sharpened(m_node)) {
       m_analysis.rebuild(cell, m_node);
       trial.result = m_analysis.test_image(m_node);
     }

@@ -143,8 +143,10 @@ public:
           limit.depth = deep_level();
       if (limits.front().nodes > 0)
         tasks = collect(tasks, run_round(tasks, limits));
-      leave_common_cells(tasks);
-      guess_multiple_roots(tasks);
+      if (are_degenerate_solutions_likely()) {
+        leave_common_cells(tasks);
+        guess_multiple_roots(tasks);
+      }
       std::move(later.begin(), later.end(), std::back_inserter(tasks));
       if (limits.front().nodes == 0)
         break;
@@ -247,7 +249,16 @@ private:
     return later;
   }
 
-  // Takes what lies in cells where the equalities have a common factor out of the tasks and of the open boxes. What the first round decides is never asked for one.
+  // Boxes became small and stay undecided, or there are many.
+  bool are_degenerate_solutions_likely()
+  {
+    constexpr std::size_t many_nodes = 1000;
+    Summary summary;
+    add_to(summary);
+    return summary.depth > deep_level() || summary.nodes >= many_nodes || !m_open.empty();
+  }
+
+  // Takes what lies in cells where the equalities have a common factor out of the tasks and of the open boxes.
   void leave_common_cells(std::vector<Task>& tasks)
   {
     const auto is_common = [&](const auto& part) {
@@ -261,14 +272,10 @@ private:
     std::erase_if(m_curve_boxes, is_common);
   }
 
-  // Where boxes become small and stay undecided, one of those that are left may hold the multiple root that keeps the others open: the smaller, the easier to guess.
+  // One of the boxes that are left may hold the multiple root that keeps the others open: the smaller, the easier to guess.
   void guess_multiple_roots(const std::vector<Task>& tasks)
   {
-    constexpr std::size_t most_guesses = 64, many_nodes = 1000;
-    Summary summary;
-    add_to(summary);
-    if (summary.depth <= deep_level() && summary.nodes < many_nodes && m_open.empty())
-      return;
+    constexpr std::size_t most_guesses = 64;
     std::vector<const Task*> order;
     for (const Task& task : tasks)
       if (task.depth > 0)

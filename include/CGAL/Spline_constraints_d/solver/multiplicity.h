@@ -25,7 +25,7 @@ whether a rational point solves all equalities and inequalities, in exact arithm
 inline bool satisfies(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
 {
   for (const Spline_function& function : system.equalities())
-    if (internal::evaluate_exactly(function, point) != Exact_rational(0))
+    if (!internal::vanishes_at(function, point))
       return false;
   for (const auto& inequality : system.inequalities())
     if (!is_satisfied(inequality.relation, CGAL::sign(internal::evaluate_exactly(inequality.function, point))))
