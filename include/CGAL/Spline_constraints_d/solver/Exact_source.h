@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/solver/Fixed_point_source.h>
 #include <CGAL/Spline_constraints_d/solver/System_layout.h>
 
 #include <algorithm>
@@ -59,7 +60,12 @@ class Exact_source
   std::vector<Dyadic_sum> m_sums;
   Big_integer m_horner, m_shifted;
   std::vector<std::vector<Place>> m_places;   // per function
+  std::vector<long> m_exponents;              // per block, of an expansion
   Cell m_cell;
+  Fixed_point_source m_fixed_point;
+  Cell m_home_cell;
+  std::vector<double> m_home_lower, m_home_upper;
+  int m_home_efforts = 0;
 
 public:
   Exact_source(const Constraint_system_d& system, const System_layout& layout)
@@ -68,7 +74,7 @@ public:
 
   // With the cells of another source of the same system.
   Exact_source(const Constraint_system_d& system, const System_layout& layout, const std::vector<std::vector<Exact_rational>>& breaks)
-    : m_layout(layout), m_breaks(breaks)
+    : m_layout(layout), m_breaks(breaks), m_fixed_point(layout)
   {
     for (int f = 0; f < layout.functions; ++f)
       add_function(function_of(system, f), f);
@@ -133,16 +139,36 @@ public:
   void bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper,
                               NT* coefficients, double* errors, std::vector<long>& scale);
 
-  // The value of every function at a point: sign and leading bits exact up to a relative error of 2^-51; value = mantissa 2^exponent.
-  struct Value
-  {
-    double mantissa;
-    long exponent;
-  };
+  // The value of every function at a point, with a relative error below 2^-51: the sign is right.
+  using Value = Scaled_value;
   template <class Coordinate>
   void evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values);
 
+  // The same with a relative error below 2^-43, and faster.
+  template <class Coordinate>
+  void evaluate_closely(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
+  {
+    if constexpr (std::is_same_v<Coordinate, double>)
+      if (is_fixed_point_ready(cell, point, point, 1) && m_fixed_point.evaluate(point, values))
+        return;
+    evaluate(cell, point, values);
+  }
+
+  // Most of the boxes and points that are asked for lie in this part of a cell.
+  template <class Coordinate>
+  void set_home(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
+
 private:
+  bool is_in_home(const Cell& cell, std::span<const double> lower, std::span<const double> upper) const
+  {
+    if (cell != m_home_cell)
+      return false;
+    for (std::size_t v = 0; v < lower.size(); ++v)
+      if (!(m_home_lower[v] <= lower[v] && upper[v] <= m_home_upper[v] && m_home_lower[v] < m_home_upper[v]))
+        return false;
+    return true;
+  }
+
   Big_integer& value_at(const Place& place, std::size_t point)
   {
     const Block& block = m_layout.blocks[place.block];
@@ -159,7 +185,11 @@ private:
   void set_point(std::span<const Coordinate> point);
   void contract_last_axis(const Big_integer* coefficients, std::size_t points, int degree, const Big_integer& x, long exponent);
   void load(const Cell& cell);
-  void gather_constants(const std::vector<long>& exponents);
+  template <class Coordinate>
+  void expand(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
+  void gather_constants();
+  template <class Coordinate>
+  bool is_fixed_point_ready(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper, int effort);
   static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
   void add_function(const Spline_function& function, int index);
   void prepare_binomials();
@@ -174,128 +204,35 @@ private:
   }
 };
 
-inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(const Constraint_system_d& system, const System_layout& layout)
+template <class Coordinate>
+void Exact_source::set_home(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
 {
-  std::vector<std::vector<Exact_rational>> result(layout.dimension);
-  for (int f = 0; f < layout.functions; ++f)
-    for (const Spline_term& term : function_of(system, f).terms())
-      for (std::size_t j = 0; j < term.variables.size(); ++j)
-        result[term.variables[j]].insert(result[term.variables[j]].end(), term.breaks[j].begin(), term.breaks[j].end());
-  for (int v = 0; v < layout.dimension; ++v) {
-    std::vector<Exact_rational>& breaks = result[v];
-    if (breaks.empty())
-      continue;
-    const Exact_rational &lower = system.domain(v).first, &upper = system.domain(v).second;
-    std::erase_if(breaks, [&](const Exact_rational& b) { return b <= lower || upper <= b; });
-    breaks.push_back(lower);
-    breaks.push_back(upper);
-    std::sort(breaks.begin(), breaks.end());
-    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-    if (breaks.size() == 1)
-      breaks.push_back(breaks.front());   // a domain that is one point
-  }
-  return result;
-}
-
-inline void Exact_source::add_function(const Spline_function& function, int index)
-{
-  Big_integer denominator(1);
-  for (const Spline_term& term : function.terms())
-    for (const auto& coefficients : term.pieces)
-      for (const Exact_rational& coefficient : coefficients)
-        extend_common_denominator(denominator, coefficient);
-
-  for (const Spline_term& term : function.terms()) {
-    Term result;
-    result.function = index;
-    for (result.block = 0;; ++result.block) {
-      const Block& block = m_layout.blocks[result.block];
-      const auto member = std::find(block.functions.begin(), block.functions.end(), index);
-      if (block.axes == term.variables && member != block.functions.end()) {
-        result.member = member - block.functions.begin();
-        break;
-      }
-    }
-    const Block& block = m_layout.blocks[result.block];
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      result.cells.push_back(term.cells(j));
-      std::vector<int>& cell_of = result.cell_of.emplace_back();
-      const std::vector<Exact_rational>& breaks = m_breaks[term.variables[j]];
-      if (!term.breaks[j].empty())
-        for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-          const auto next = std::upper_bound(term.breaks[j].begin(), term.breaks[j].end(), breaks[k]);
-          const int local = static_cast<int>(next - term.breaks[j].begin()) - 1;
-          cell_of.push_back((std::min)(local, static_cast<int>(term.cells(j)) - 1));
-        }
-    }
-    for (const auto& coefficients : term.pieces) {
-      std::vector<Big_integer>& padded = result.pieces.emplace_back(block.points, Big_integer(0));
-      std::vector<int> k(term.degrees.size(), 0);
-      for (const Exact_rational& coefficient : coefficients) {
-        std::size_t position = 0;
-        for (std::size_t j = 0; j < k.size(); ++j)
-          position = position * (static_cast<std::size_t>(block.degrees[j]) + 1) + k[j];
-        padded[position] = numerator_over(coefficient, denominator);
-        for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
-          k[j] = 0;
-      }
-    }
-    m_terms.push_back(std::move(result));
+  if constexpr (std::is_same_v<Coordinate, double>) {
+    if (is_in_home(cell, lower, upper))
+      return;
+    m_home_cell = cell;
+    m_home_lower.assign(lower.begin(), lower.end());
+    m_home_upper.assign(upper.begin(), upper.end());
+    m_home_efforts = 0;
+    m_fixed_point.clear();
   }
 }
 
-inline void Exact_source::prepare_binomials()
+// Whether fixed-point numbers may answer for a box: they begin with an expansion of their own, which pays after some efforts.
+template <class Coordinate>
+bool Exact_source::is_fixed_point_ready(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper, int effort)
 {
-  for (const Block& block : m_layout.blocks) {
-    auto& weights = m_weights.emplace_back();
-    Big_integer product(1);
-    for (int degree : block.degrees) {
-      Big_integer common(1);   // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
-      for (int i = 2; i <= degree + 1; ++i)
-        mpz_lcm_ui(common.backend().data(), common.backend().data(), static_cast<unsigned long>(i));
-      common /= degree + 1;
-      std::vector<Big_integer> quotients(degree + 1, common);
-      for (int i = 1; i < degree; ++i) {
-        quotients[i] = quotients[i - 1];
-        quotients[i] *= i;
-        quotients[i] /= degree - i + 1;
-      }
-      weights.push_back(std::move(quotients));
-      product *= common;
+  constexpr int few_efforts = 12;   // the unit: what is saved on a point
+  if constexpr (std::is_same_v<Coordinate, double>) {
+    if (!m_matrix.empty() || !is_in_home(cell, lower, upper) || (m_home_efforts += effort) <= few_efforts)
+      return false;
+    if (!m_fixed_point.is_set()) {
+      expand(cell, std::span<const double>(m_home_lower), std::span<const double>(m_home_upper));
+      m_fixed_point.set(m_home_lower, m_home_upper, m_values, m_denominators, m_exponents);
     }
-    m_denominators.push_back(product);
+    return true;
   }
-}
-
-inline bool Exact_source::multiply(const double* matrix, const std::vector<long>& scale)
-{
-  const std::size_t n = scale.size();
-  if (!std::all_of(matrix, matrix + n * n, [](double x) { return std::isfinite(x); }))
-    return false;
-  std::vector<Big_integer> product(n * n, Big_integer(0));
-  for (std::size_t j = 0; j < n; ++j) {
-    std::vector<std::pair<Big_integer, long>> row;
-    long finest = (std::numeric_limits<long>::max)();
-    for (std::size_t i = 0; i < n; ++i) {
-      auto& [factor, exponent] = row.emplace_back(to_dyadic(matrix[j * n + i]));
-      exponent -= scale[i];
-      if (factor != 0)
-        finest = (std::min)(finest, exponent);
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      auto& [factor, exponent] = row[i];
-      if (factor == 0)
-        continue;
-      shift_left(factor, static_cast<unsigned long>(exponent - finest));
-      if (m_matrix.empty())
-        product[j * n + i] = factor;
-      else
-        for (std::size_t k = 0; k < n; ++k)
-          add_product(product[j * n + k], factor, m_matrix[i * n + k]);
-    }
-  }
-  m_matrix = std::move(product);
-  return true;
+  return false;
 }
 
 // The sums of the terms on a cell, in power form.
@@ -318,15 +255,13 @@ inline void Exact_source::load(const Cell& cell)
   }
 }
 
-template <class NT, class Coordinate>
-void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower,
-                                          std::span<const Coordinate> upper, NT* coefficients, double* errors,
-                                          std::vector<long>& scale)
+// Fills m_values with the Bernstein coefficients on a box, as integers: those of block b times 2^m_exponents[b] / m_denominators[b]. Along each axis: x = begin + width t in integers,
+// p(x) -> sum_i p_i t^i, then sums of binomially weighted coefficients.
+template <class Coordinate>
+void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
 {
   load(cell);
-
-  // Along each axis: x = begin + width t in integers, p(x) -> sum_i p_i t^i, then sums of binomially weighted coefficients.
-  std::vector<long> exponents(m_layout.blocks.size(), 0);
+  m_exponents.assign(m_layout.blocks.size(), 0);
   std::vector<Big_integer> powers;
   for (int v = 0; v < m_layout.dimension; ++v) {
     const auto [begin, width, exponent] = common_dyadic(lower[v], upper[v]);
@@ -357,18 +292,28 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
               a[inner * k] += a[inner * (k - 1)];
         }
       if (exponent < 0)
-        exponents[axis.block] += exponent * degree;
+        m_exponents[axis.block] += exponent * degree;
     }
   }
+}
 
-  gather_constants(exponents);
+template <class NT, class Coordinate>
+void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coordinate> lower,
+                                          std::span<const Coordinate> upper, NT* coefficients, double* errors,
+                                          std::vector<long>& scale)
+{
+  if constexpr (std::is_same_v<NT, double> && std::is_same_v<Coordinate, double>)
+    if (is_fixed_point_ready(cell, lower, upper, 6) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
+      return;
+  expand(cell, lower, upper);
+  gather_constants();
 
   // One scale per function, then the only rounding.
   std::vector<long>& largest = scale;
   largest.assign(m_layout.functions, (std::numeric_limits<long>::min)());
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
-    const long shift = exponents[b] - bit_length(m_denominators[b]) + 1;
+    const long shift = m_exponents[b] - bit_length(m_denominators[b]) + 1;
     for (std::size_t i = 0; i < block.size(); ++i) {
       const Big_integer& value = m_values[block.offset + i];
       long& most = largest[block.functions[i % block.functions.size()]];
@@ -388,7 +333,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
       errors[block.first_error + m] = 0;
     for (std::size_t i = 0; i < block.size(); ++i) {
       const std::size_t m = i % members;
-      const long shift = exponents[b] - scale[block.functions[m]];
+      const long shift = m_exponents[b] - scale[block.functions[m]];
       const Big_integer& value = m_values[block.offset + i];
       if constexpr (std::is_same_v<NT, double>) {
         const double rounded = to_scaled_double(value, shift - length) / denominator;
@@ -408,12 +353,12 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
 
 // A function that nearly vanishes on a box may be the sum of blocks that do not. Their constant parts cancel here, where it is exact: each block gives (nearly) its
 // first control value to the block with the finest unit, and what is left of it is as small as its variation.
-inline void Exact_source::gather_constants(const std::vector<long>& exponents)
+inline void Exact_source::gather_constants()
 {
   for (const std::vector<Place>& places : m_places) {
     if (places.size() < 2)
       continue;
-    const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) { return exponents[a.block] < exponents[b.block]; });
+    const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) { return m_exponents[a.block] < m_exponents[b.block]; });
     Big_integer sum(0);   // in units of the home block
     for (const Place& place : places)
       if (&place != &home) {
@@ -421,7 +366,7 @@ inline void Exact_source::gather_constants(const std::vector<long>& exponents)
         if (constant == 0)
           continue;
         add_to_all(place, Big_integer(-constant * m_denominators[place.block]));
-        shift_left(constant, static_cast<unsigned long>(exponents[place.block] - exponents[home.block]));
+        shift_left(constant, static_cast<unsigned long>(m_exponents[place.block] - m_exponents[home.block]));
         sum += constant;
       }
     if (sum != 0)
@@ -496,5 +441,7 @@ void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point,
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
+
+#include <CGAL/Spline_constraints_d/solver/internal/Exact_source_impl.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,19 +48,22 @@ class Node_view
     std::size_t row, slow_axes;      // the linear part is tabulated on a row, over the axes from slow_axes on
   };
   std::vector<Plan> m_plans;
-  std::vector<double> m_greville;
+  std::vector<double> m_greville, m_storage;   // all of the following lies in one piece
 
-  std::vector<double> m_block_lower, m_block_upper;            // per block and function
-  std::vector<double> m_hull_lower, m_hull_upper;              // per function
-  std::vector<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
-  std::vector<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
-  std::vector<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
-  std::vector<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
-  std::vector<double> m_block_rest_lower, m_block_rest_upper;
+  std::span<double> m_block_lower, m_block_upper;            // per block and function
+  std::span<double> m_hull_lower, m_hull_upper;              // per function
+  std::span<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
+  std::span<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
+  std::span<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
+  std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
+  std::span<double> m_block_rest_lower, m_block_rest_upper;
   std::vector<int> m_index;
 
 public:
   explicit Node_view(const internal::System_layout& layout);
+  //! not copied: parts of it are looked at.
+  Node_view(const Node_view&) = delete;
+  Node_view& operator=(const Node_view&) = delete;
 
   //! looks at other coefficients; nothing is computed yet.
   void reset(const double* coefficients, const double* errors)
@@ -173,20 +179,20 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     members = (std::max)(members, m);
     slopes = (std::max)(slopes, m * axes);
   }
-  for (auto* v : {&m_least_over_first, &m_most_over_first})
-    v->resize(over_first);
-  for (auto* v : {&m_layer_lower, &m_layer_upper})
-    v->resize(layers);
-  for (auto* v : {&m_block_lower, &m_block_upper})
-    v->resize(layout.errors);
-  for (auto* v : {&m_hull_lower, &m_hull_upper, &m_rest_lower, &m_rest_upper})
-    v->resize(functions);
-  for (auto* v : {&m_slopes, &m_derivative_lower, &m_derivative_upper})
-    v->resize(entries);
-  for (auto* v : {&m_base, &m_block_rest_lower, &m_block_rest_upper})
-    v->resize(members);
-  m_work.resize(work);
-  m_block_slopes.resize(slopes);
+  using Part = std::pair<std::span<double>*, std::size_t>;
+  const Part parts[] = {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull_lower, functions}, {&m_hull_upper, functions},
+                        {&m_slopes, entries}, {&m_rest_lower, functions}, {&m_rest_upper, functions}, {&m_derivative_lower, entries},
+                        {&m_derivative_upper, entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
+                        {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
+                        {&m_block_rest_lower, members}, {&m_block_rest_upper, members}};
+  std::size_t size = 0;
+  for (const Part& part : parts)
+    size += part.second;
+  m_storage.resize(size);
+  for (std::size_t begin = 0; const auto& [span, length] : parts) {
+    *span = {m_storage.data() + begin, length};
+    begin += length;
+  }
   m_index.resize(layout.dimension);
 }
 

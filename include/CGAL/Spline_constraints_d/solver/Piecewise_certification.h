@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,7 @@ public:
 private:
   const System_layout& m_layout;
   Exact_source& m_source;
-  Node_view m_view;
+  std::optional<Node_view> m_view;   // made when it is needed for the first time
   std::vector<double> m_coefficients, m_errors;
   std::vector<double> m_work, m_lower, m_upper;   // pieces x equalities x unknowns: derivatives in box coordinates, functions scaled by 2^-scale
   std::vector<Exact_source::Value> m_values;
@@ -45,7 +46,7 @@ private:
 
 public:
   Piecewise_certification(const System_layout& layout, Exact_source& source)
-    : m_layout(layout), m_source(source), m_view(layout), m_coefficients(layout.size), m_errors(layout.errors)
+    : m_layout(layout), m_source(source)
   {}
 
   // The box reaches beyond the breaks around a cell, into another cell.
@@ -206,6 +207,10 @@ private:
   void bound_derivatives(Certified_region<Coordinate>& region)
   {
     const int n = m_layout.dimension;
+    if (!m_view)
+      m_view.emplace(m_layout);
+    m_coefficients.resize(m_layout.size);
+    m_errors.resize(m_layout.errors);
     m_centre.resize(n);
     for (int j = 0; j < n; ++j)
       m_centre[j] = place_between(region.lower[j], region.upper[j], 0.5);
@@ -220,12 +225,12 @@ private:
       if (is_first)
         region.scale = scale;
       is_first = false;
-      m_view.reset(m_coefficients.data(), m_errors.data());
+      m_view->reset(m_coefficients.data(), m_errors.data());
       for (int i = 0; i < n; ++i) {
         const int shift = static_cast<int>((std::max)(-2000L, (std::min)(scale[i] - region.scale[i], 2000L)));
         for (int j = 0; j < n; ++j) {
-          m_lower.push_back(std::ldexp(m_view.derivative_lower(i)[j], shift));
-          m_upper.push_back(std::ldexp(m_view.derivative_upper(i)[j], shift));
+          m_lower.push_back(std::ldexp(m_view->derivative_lower(i)[j], shift));
+          m_upper.push_back(std::ldexp(m_view->derivative_upper(i)[j], shift));
         }
       }
     });

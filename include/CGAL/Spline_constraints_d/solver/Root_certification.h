@@ -196,7 +196,7 @@ private:
   }
 
   // Refines the root of the last region. Where that region is much thinner on one axis than on another, or C is poor there, others are certified
-  // around the enclosure, with fresh coefficients.
+  // around the enclosure, with fresh coefficients; or, where that would come near other roots, around its middle.
   bool keep_root(const Cell& cell)
   {
     Root_enclosure<Coordinate> enclosure = m_roots.refine();
@@ -204,32 +204,43 @@ private:
       const bool is_first = least_margin == 0x1p-24;
       if (enclosure.error <= 16 || (!is_first && !is_wide(enclosure)))
         break;
-      for (int j = 0; j < m_layout.dimension; ++j) {
-        const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
-        const double margin = (std::max)(0.25 * (upper - lower), least_margin * (std::max)(1.0, std::abs(lower)));
-        m_node.lower[j] = below(enclosure.lower[j], margin);
-        m_node.upper[j] = above(enclosure.upper[j], margin);
-      }
-      if (m_piecewise.crosses_break(cell, m_node.lower, m_node.upper)) {
-        m_across.lower = m_node.lower;
-        m_across.upper = m_node.upper;
-        if (test_across_break() != Piecewise::ONE_ROOT)
-          continue;
-        m_roots.set_region(m_across, false);
-      } else {
-        m_analysis.rebuild(cell, m_node);
-        const Trial trial = test_image(cell, true, true);
-        if (trial.result.verdict != Image_test::ONE_ROOT)
-          continue;
-        keep_region(trial, false);
-      }
-      enclosure = m_roots.refine();
+      if (certify_close_to(cell, enclosure, least_margin, false) ||
+          (m_layout.equalities == m_layout.dimension && is_wide(enclosure) && certify_close_to(cell, enclosure, least_margin, true)))
+        enclosure = m_roots.refine();
     }
     const auto* known = m_roots.root_that_meets(enclosure);
     if (known == nullptr || m_roots.is_known(enclosure))
       m_roots.add(std::move(enclosure));
     else if (!is_same_root(known->enclosure, enclosure))
       return false;   // the same or another one: not to be counted
+    return true;
+  }
+
+  // Certifies a box around an enclosure, or around its middle; this one has the same root, since it lies within the region.
+  bool certify_close_to(const Cell& cell, const Root_enclosure<Coordinate>& enclosure, double least_margin, bool is_around_middle)
+  {
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const double lower = CGAL::to_double(enclosure.lower[j]), upper = CGAL::to_double(enclosure.upper[j]);
+      const double size = least_margin * (std::max)(1.0, std::abs(lower));
+      const double margin = is_around_middle ? (std::min)(size - 0.5 * (upper - lower), 0.0) : (std::max)(0.25 * (upper - lower), size);
+      m_node.lower[j] = below(enclosure.lower[j], margin);
+      m_node.upper[j] = above(enclosure.upper[j], margin);
+    }
+    if (is_around_middle)
+      m_roots.clip_to_region(m_node.lower, m_node.upper);
+    if (m_piecewise.crosses_break(cell, m_node.lower, m_node.upper)) {
+      m_across.lower = m_node.lower;
+      m_across.upper = m_node.upper;
+      if (is_around_middle || test_across_break() != Piecewise::ONE_ROOT)   // the box may grow
+        return false;
+      m_roots.set_region(m_across, false);
+      return true;
+    }
+    m_analysis.rebuild(cell, m_node);
+    const Trial trial = test_image(cell, true, true);
+    if (trial.result.verdict != Image_test::ONE_ROOT)
+      return false;
+    keep_region(trial, false);
     return true;
   }
 

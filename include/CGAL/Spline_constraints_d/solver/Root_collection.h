@@ -95,6 +95,15 @@ public:
     }
   }
 
+  // Leaves the part of a box that lies in the region; they meet.
+  void clip_to_region(std::vector<Coordinate>& lower, std::vector<Coordinate>& upper) const
+  {
+    for (std::size_t j = 0; j < lower.size(); ++j) {
+      lower[j] = (std::max)(lower[j], m_region.lower[j]);
+      upper[j] = (std::min)(upper[j], m_region.upper[j]);
+    }
+  }
+
   // A tight enclosure of the root of the region.
   Root_enclosure<Coordinate> refine()
   {

@@ -210,7 +210,7 @@ private:
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
     Exact_source& source = *region.source;
-    source.evaluate(source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
+    source.evaluate_closely(source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
     const auto weight = [&](int j) { return region.weights.empty() ? 1.0 : region.weights[j]; };
     double largest = 0;
     for (int j = 0; j < n; ++j) {
@@ -222,7 +222,7 @@ private:
         size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
       }
       m_step[j] = step;
-      m_step_error[j] = 0x1p-44 * size;
+      m_step_error[j] = 0x1p-42 * size;   // of the values, and of the sum
       m_radius[j] = std::abs(step) + m_step_error[j];
       if (!std::isfinite(m_radius[j]))
         return HUGE_VAL;   // out of the range of double: no distance is known

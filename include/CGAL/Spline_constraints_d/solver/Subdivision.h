@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -89,7 +91,7 @@ private:
   Node_analysis<NT> m_analysis;
   Preconditioned_system<NT> m_preconditioned;
   Root_certification<NT> m_certification;
-  Solution_curve_test<NT> m_curve_test;
+  std::optional<Solution_curve_test<NT>> m_curve_test;   // for three unknowns and more
   Local_box m_box;
   std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
   std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
@@ -112,9 +114,10 @@ public:
               Run_control& control, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
       m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
-      m_curve_test(layout, source, summary, Traits::tracks_rounding),
       m_tolerance(options.tolerance)
   {
+    if (layout.dimension >= 3)
+      m_curve_test.emplace(layout, source, summary, Traits::tracks_rounding);
     for (const auto& inequality : system.inequalities())
       m_relations.push_back(inequality.relation);
     m_domain_widths.resize(m_layout.dimension);
@@ -137,6 +140,7 @@ public:
     Node& root = level(0);
     root.lower = task.lower;
     root.upper = task.upper;
+    m_analysis.source().set_home(m_cell, std::span<const Coordinate>(task.lower), std::span<const Coordinate>(task.upper));
     m_analysis.rebuild(m_cell, root);
     subdivide(0, task.depth, task.share);
     m_control.add_progress(std::exchange(m_done, 0));
@@ -266,11 +270,11 @@ private:
   bool is_piece_of_curve(const Node& node, int depth)
   {
     const int n = m_layout.dimension;
-    if (n < 3 || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size() ||
-        !m_curve_test.may_be_singular(m_analysis.view))
+    if (!m_curve_test || depth == 0 || depth % n != 0 || m_curve_guesses >= m_most_guesses + 16 * m_curve_boxes.size() ||
+        !m_curve_test->may_be_singular(m_analysis.view))
       return false;
     ++m_curve_guesses;
-    return m_curve_test(m_cell, node, m_analysis.view, m_domain_widths);
+    return (*m_curve_test)(m_cell, node, m_analysis.view, m_domain_widths);
   }
 
   // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.
