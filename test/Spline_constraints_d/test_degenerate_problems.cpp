@@ -100,6 +100,20 @@ TEST(Degenerate_contacts, HighOrder)
                                               {{{fraction(1, 3), fraction(1, 9), fraction(1, 27)}, 3}});
 }
 
+// A root whose Jacobian is zero, on the curved boundary of an inequality.
+TEST(Degenerate_contacts, NoRegularRow)
+{
+  System system({{fraction(1, 2), fraction(11, 5)}, {-5, fraction(-15, 14)}, {fraction(-13, 4), fraction(-29, 14)}});
+  system.add(fraction(19, 90) * square(y + fraction(3, 2)), Relation::EQUAL);
+  system.add(fraction(49, 3) * square(z + fraction(5, 2)), Relation::EQUAL);
+  system.add(fraction(152, 153) * pow(x - 1, 3), Relation::EQUAL);
+  for (const Relation relation : {Relation::GREATER_EQUAL, Relation::LESS_EQUAL}) {
+    System clipped = system;
+    clipped.add(-fraction(697, 20) - fraction(89, 10) * x * x - 85 * y * y - 94 * z, relation);
+    expect_nothing_lost({{1, fraction(-3, 2), fraction(-5, 2)}}, solve_with<SC::Certified_solver_traits>(clipped));
+  }
+}
+
 // Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
 TYPED_TEST(Degenerate_problems, DoubleTangentLines)
 {

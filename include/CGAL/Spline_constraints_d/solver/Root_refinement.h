@@ -196,12 +196,13 @@ public:
   }
 
 private:
-  // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the limit of the geometric series.
+  // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the limit of the geometric series. Steps that do not shrink any more
+  // are the rounding of the coordinate.
   double extrapolated_step(int j, int iteration)
   {
     const double ratio = m_step[j] / m_last_step[j];
     m_last_step[j] = m_step[j];
-    return iteration % 2 == 1 && std::abs(ratio) > 0.1 && ratio < 1 && ratio > -1 ? m_step[j] / (1 - ratio) : m_step[j];
+    return iteration % 2 == 1 && std::abs(ratio) > 0.1 && std::abs(ratio) < 0.95 ? m_step[j] / (1 - ratio) : m_step[j];
   }
 
   // Fills m_step with C f(point) in box coordinates and m_radius with bounds on the distance of the root from the point; returns the largest

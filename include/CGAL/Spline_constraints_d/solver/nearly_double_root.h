@@ -126,7 +126,7 @@ private:
     }
   }
 
-  static double size(const Number& x) { return std::abs(CGAL::to_double(x.midpoint())); }
+  static double size(const Number& x) { return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0; }
 
   // To the point with w = 0 and no slope of the last row along the kernel; and the size of the last row there, relative to its curvature.
   std::pair<std::vector<Exact_rational>, double> newton_step()
@@ -148,10 +148,10 @@ private:
           curvature += entry * kernel[l];
           mixed += entry * move[l];
         }
-    const Exact_rational divisor = curvature.midpoint();
-    if (CGAL::is_zero(divisor))
+    const bool are_bounded = std::all_of(m_rows.begin(), m_rows.end(), [](const Number& x) { return x.is_bounded(); });   // no pivot was zero up to rounding
+    if (!are_bounded || !mixed.is_bounded() || !curvature.is_bounded() || CGAL::is_zero(curvature.midpoint()))
       return {std::vector<Exact_rational>(n, Exact_rational(1e300)), HUGE_VAL};
-    const Exact_rational s = -mixed.midpoint() / divisor;
+    const Exact_rational s = -mixed.midpoint() / curvature.midpoint();
     std::vector<Exact_rational> result;
     for (std::size_t j = 0; j < n; ++j)
       result.push_back(move[j].midpoint() + s * kernel[j].midpoint());
