@@ -66,6 +66,7 @@ class Exact_source
   Cell m_home_cell;
   std::vector<double> m_home_lower, m_home_upper;
   int m_home_efforts = 0;
+  static constexpr int effort_of_expansion = 12;   // the unit: what is saved on a point
 
 public:
   Exact_source(const Constraint_system_d& system, const System_layout& layout)
@@ -154,9 +155,15 @@ public:
     evaluate(cell, point, values);
   }
 
-  // Most of the boxes and points that are asked for lie in this part of a cell.
+  // Most of the boxes and points that are asked for lie in this part of a cell, until leave_home(). What was asked for before has no influence on the answers.
   template <class Coordinate>
   void set_home(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
+  void leave_home()
+  {
+    m_home_cell.clear();
+    m_home_efforts = -effort_of_expansion;   // of the home box itself
+    m_fixed_point.clear();
+  }
 
 private:
   bool is_in_home(const Cell& cell, std::span<const double> lower, std::span<const double> upper) const
@@ -207,24 +214,20 @@ private:
 template <class Coordinate>
 void Exact_source::set_home(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
 {
+  leave_home();
   if constexpr (std::is_same_v<Coordinate, double>) {
-    if (is_in_home(cell, lower, upper))
-      return;
     m_home_cell = cell;
     m_home_lower.assign(lower.begin(), lower.end());
     m_home_upper.assign(upper.begin(), upper.end());
-    m_home_efforts = 0;
-    m_fixed_point.clear();
   }
 }
 
-// Whether fixed-point numbers may answer for a box: they begin with an expansion of their own, which pays after some efforts.
+// Whether fixed-point numbers may answer for a box: they begin with an expansion of their own, which pays for another one or for some points.
 template <class Coordinate>
 bool Exact_source::is_fixed_point_ready(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper, int effort)
 {
-  constexpr int few_efforts = 12;   // the unit: what is saved on a point
   if constexpr (std::is_same_v<Coordinate, double>) {
-    if (!m_matrix.empty() || !is_in_home(cell, lower, upper) || (m_home_efforts += effort) <= few_efforts)
+    if (!m_matrix.empty() || !is_in_home(cell, lower, upper) || (m_home_efforts += effort) < effort_of_expansion)
       return false;
     if (!m_fixed_point.is_set()) {
       expand(cell, std::span<const double>(m_home_lower), std::span<const double>(m_home_upper));
@@ -303,7 +306,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
                                           std::vector<long>& scale)
 {
   if constexpr (std::is_same_v<NT, double> && std::is_same_v<Coordinate, double>)
-    if (is_fixed_point_ready(cell, lower, upper, 6) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
+    if (is_fixed_point_ready(cell, lower, upper, effort_of_expansion) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
       return;
   expand(cell, lower, upper);
   gather_constants();

@@ -143,6 +143,7 @@ public:
     m_analysis.source().set_home(m_cell, std::span<const Coordinate>(task.lower), std::span<const Coordinate>(task.upper));
     m_analysis.rebuild(m_cell, root);
     subdivide(0, task.depth, task.share);
+    m_analysis.source().leave_home();
     m_control.add_progress(std::exchange(m_done, 0));
   }
 
