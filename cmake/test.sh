@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # sh cmake/test.sh [PRESET]: installs what is missing, builds everything in build/PRESET and runs every test.
-# The presets are release (the default), debug and sanitizers.
+# The presets are release (the default), debug, sanitizers and threads (ThreadSanitizer).
 set -eu
 cd "$(dirname "$0")/.."
 preset=${1:-release}

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_WALK_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SUBDIVISION_WALK_H
 
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
@@ -15,20 +16,13 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#endif
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -78,8 +72,6 @@ class Subdivision_walk
     }
   };
 
-  static constexpr bool is_parallel = std::is_convertible_v<Concurrency_tag, Parallel_tag>;
-
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
   const Solver_options& m_options;
@@ -92,9 +84,7 @@ class Subdivision_walk
   static constexpr std::size_t m_few_looks = 32;   // at C f, formed exactly, before they have to pay
   static constexpr std::size_t m_few_open = 64;    // boxes; more are the mark of a continuum
   std::size_t m_looks = 0, m_gains = 0;
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> m_workers;
-#endif
+  std::vector<std::unique_ptr<Worker>> m_workers;   // per slot of the threads
 
 public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
@@ -194,13 +184,11 @@ public:
   {
     summary = sum(summary, m_worker.summary);
     summary.refinement_seconds += m_worker.roots.seconds();
-#ifdef CGAL_LINKED_WITH_TBB
     for (const auto& worker : m_workers)
       if (worker != nullptr) {
         summary = sum(summary, worker->summary);
         summary.refinement_seconds += worker->roots.seconds();
       }
-#endif
   }
 
 private:
@@ -321,30 +309,18 @@ private:
       else
         outcomes[i] = worker.run(tasks[i], limits[i]);
     };
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (is_parallel) {
-      if (tasks.size() > 1) {
-        // TBB orders all this already; the atomic number says so to tools that do not see into its library.
-        std::atomic<std::size_t> handed_over = 0;
-        const auto hand_over = [&] { handed_over.fetch_add(1, std::memory_order_acq_rel); };
-        hand_over();
-        tbb::parallel_for(std::size_t(0), tasks.size(), [&](std::size_t i) {
-          hand_over();
-          [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
-          [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
-          auto& worker = m_workers.local();
-          if (worker == nullptr)
-            worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
-          run_task(i, *worker);
-          hand_over();
-        });
-        hand_over();
-        return outcomes;
-      }
+    if (is_parallel<Concurrency_tag> && tasks.size() > 1) {
+      m_workers.resize((std::max)(m_workers.size(), slots_of<Concurrency_tag>()));
+      parallel_for<Concurrency_tag>(tasks.size(), [&](std::size_t i, std::size_t slot) {
+        [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
+        [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+        std::unique_ptr<Worker>& worker = m_workers[slot];
+        if (worker == nullptr)
+          worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
+        run_task(i, *worker);
+      });
+      return outcomes;
     }
-#else
-    static_assert(!is_parallel, "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
-#endif
     for (std::size_t i = 0; i < tasks.size(); ++i)
       run_task(i, m_worker);
     return outcomes;

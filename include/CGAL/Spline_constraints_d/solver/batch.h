@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BATCH_H
 
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <CGAL/tags.h>
@@ -16,12 +17,7 @@
 #include <mutex>
 #include <ranges>
 #include <string>
-#include <type_traits>
 #include <vector>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#endif
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -49,22 +45,7 @@ void for_each_of_batch(std::size_t count, const Task& task)
       }
     }
   };
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
-    // TBB orders all this already; the atomic number says so to tools that do not see into its library.
-    std::atomic<std::size_t> handed_over = 1;
-    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-      handed_over.fetch_add(1, std::memory_order_acq_rel);
-      run(i);
-      handed_over.fetch_add(1, std::memory_order_acq_rel);
-    });
-    handed_over.fetch_add(1, std::memory_order_acq_rel);
-  } else
-#else
-  static_assert(!std::is_convertible_v<Concurrency_tag, Parallel_tag>, "Parallel_tag needs TBB: link CGAL::Spline_constraints_d with SPLINE_CONSTRAINTS_WITH_TBB");
-#endif
-    for (std::size_t i = 0; i < count; ++i)
-      run(i);
+  parallel_for<Concurrency_tag>(count, [&](std::size_t i, std::size_t) { run(i); });
   if (failed != (std::numeric_limits<std::size_t>::max)())
     throw Invalid_input("system " + std::to_string(failed) + " of a batch: " + message);
 }
