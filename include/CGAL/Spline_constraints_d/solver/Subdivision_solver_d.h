@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/solver/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <utility>
@@ -99,20 +100,28 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-the system of constraints between the unknowns of one call of `unknowns()`.
-\throws Invalid_input when the constraints use unknowns of different calls, or none.
+the system of constraints between the unknowns of one call of `unknowns()`, with their conditions: a zero of what a formula is divided by is no solution of the formula.
+\throws Invalid_input when the constraints use unknowns of different calls, or none; and as `Constraint::spline_function()`.
 */
 inline Constraint_system_d make_system(std::span<const Constraint> constraints)
 {
   Constraint_system_d system(common_domains(constraints));
-  for (const Constraint& constraint : constraints)
-    system.add(constraint.function, constraint.relation);
+  std::vector<Power_polynomial> conditions;
+  for (const Constraint& constraint : constraints) {
+    system.add(constraint.spline_function(), constraint.relation);
+    for (const Power_polynomial& condition : constraint.conditions)
+      if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
+        conditions.push_back(condition);
+        system.add(internal::expanded(constraint.symbols.get(), condition), Relation::NOT_EQUAL);
+      }
+  }
   return system;
 }
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of constraints written as formulas: `solve(x*x + y*y == 2, x*y == 1)`.
+\throws Invalid_input as `make_system()` and `Subdivision_solver_d`.
 */
 template <std::same_as<Constraint>... Constraints>
 Solution_set_d<double> solve(const Constraint& first, const Constraints&... others)
