@@ -246,7 +246,9 @@ private:
   // Removes what the denominator and all terms of the numerator have in common.
   void cancel()
   {
-    if (m_denominator.powers.empty() || m_numerator.is_zero())
+    if (m_numerator.is_zero())
+      m_denominator = Monomial();
+    if (m_denominator.powers.empty())
       return;
     const Monomial content = internal::monomial_content(m_numerator);
     Monomial common;

@@ -74,16 +74,16 @@ struct Integer_pieces
   // Removes the axes that nothing depends on, and returns the others.
   std::vector<int> remove_trivial_axes()
   {
-    std::vector<int> kept;
+    std::vector<int> kept, kept_degrees;
+    std::vector<Breaks_of_axis> kept_breaks;
     for (std::size_t j = 0; j < degrees.size(); ++j)
-      if (degrees[j] > 0 || breaks[j].size() > 2)
+      if (degrees[j] > 0 || breaks[j].size() > 2) {
         kept.push_back(static_cast<int>(j));
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      degrees[i] = degrees[kept[i]];
-      breaks[i] = std::move(breaks[kept[i]]);
-    }
-    degrees.resize(kept.size());
-    breaks.resize(kept.size());
+        kept_degrees.push_back(degrees[j]);
+        kept_breaks.push_back(std::move(breaks[j]));
+      }
+    degrees = std::move(kept_degrees);
+    breaks = std::move(kept_breaks);
     return kept;
   }
 
