@@ -75,6 +75,16 @@ inline SC::Spline_map<1, 2> bezier_curve(const std::vector<std::array<int, 2>>& 
   return SC::Spline_map<1, 2>({Spline({degree}, {knots}, x), Spline({degree}, {knots}, y)});
 }
 
+// The curve (x(t), y(t)) for power coefficients of x and y, on a range.
+inline SC::Spline_map<1, 2> polynomial_curve(const std::vector<int>& x, const std::vector<int>& y, int begin, int end)
+{
+  const auto spline = [&](const std::vector<int>& powers) {
+    const std::vector<std::pair<Rational, Rational>> range{{Rational(begin), Rational(end)}};
+    return Spline::from_tensor(SC::Bernstein_tensor<Rational>::from_power_on_box({static_cast<int>(powers.size()) - 1}, std::vector<Rational>(powers.begin(), powers.end()), range), range);
+  };
+  return SC::Spline_map<1, 2>({spline(x), spline(y)});
+}
+
 // The value of an expanded constraint, term by term and power by power.
 inline Rational value(const SC::Spline_function& function, std::span<const Rational> point)
 {

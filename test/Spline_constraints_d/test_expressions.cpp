@@ -3,6 +3,7 @@
 
 #include "formula_test_curves.h"
 
+#include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 
 #include <gtest/gtest.h>
@@ -300,6 +301,82 @@ TEST(Linear_elimination, planes_meet_in_their_point)
     EXPECT_EQ(P[0] - P[1] + value * P[2], Rational(2));
     EXPECT_EQ(2 * P[0] + P[1] - P[2], value);
   }
+}
+
+TEST(Linear_elimination, values_take_the_place_of_unknowns)
+{
+  std::mt19937 random(9);
+  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(2)}.map();
+  auto [x, y, u] = SC::unknowns({2, 3}, {-1, 1}, {0, 4});
+  const Vector_expression<2> p = c(u);
+  const Expression formula = (x * x * p[0] - y) / (x + y) / x + p[1] * x, value = (y + p[1]) / p[0];
+  const Expression result = SC::substituted(formula, x, value);
+  int defined = 0;
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Rational> point = random_point(random, *u.domains());
+    if (p[0](point) == Rational(0))
+      continue;
+    const Rational expected = value(point);
+    if (expected == Rational(0) || expected == -point[1])
+      continue;
+    const Rational actual = result(point);
+    point[0] = expected;
+    EXPECT_EQ(actual, formula(point));
+    ++defined;
+  }
+  EXPECT_GE(defined, 10);
+  EXPECT_EQ(SC::substituted(x * x + y, x, y - 1).polynomial(), (square(y - 1) + y).polynomial());
+  EXPECT_THROW(SC::substituted(p[0] + u, u, y), Invalid_input);
+  EXPECT_THROW(SC::substituted(x, x + y, y), Invalid_input);
+  EXPECT_THROW(SC::substituted(1 / x, x, y - y), Invalid_input);
+}
+
+TEST(Exact_division, factors_are_removed)
+{
+  std::mt19937 random(10);
+  const Spline_map<1, 2> c = bezier_curve({{0, 0}, {5, 3}, {-4, 3}, {2, -1}});
+  auto [u, v] = SC::parameters(c, c);
+  const Vector_expression<2> chord = c(u) - c(v), quotient = SC::divided_exactly(chord, u - v);
+  const Expression area = cross(chord, chord + derivative(c)(u)), reduced = SC::divided_exactly(area, u - v, 2);
+  EXPECT_EQ((quotient[0] == 0).spline_function().terms()[0].degrees, (std::vector<int>{2, 2}));
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Rational> point = random_point(random, *u.domains());
+    const Rational difference = point[0] - point[1];
+    EXPECT_EQ(quotient[0](point) * difference, chord[0](point));
+    EXPECT_EQ(quotient[1](point) * difference, chord[1](point));
+    EXPECT_EQ(reduced(point) * difference * difference, area(point));
+    point[1] = point[0];   // the limit on the diagonal is the derivative
+    EXPECT_EQ(quotient(point), derivative(c)(u)(point));
+  }
+  EXPECT_EQ(SC::divided_exactly(pow(u, 3) - pow(v, 3), 2 * v - 2 * u).polynomial(), (-(u * u + u * v + v * v) / 2).polynomial());
+  EXPECT_EQ(SC::divided_exactly((u * u - v * v) / (u + 3), u - v)(std::vector<Rational>{ratio(1, 2), ratio(1, 4)}), ratio(3, 14));
+  EXPECT_THROW(SC::divided_exactly(chord[0], u - v, 2), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(chord[0] + 1, u - v), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(u * u + v, u - v), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(chord[0], chord[0]), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(chord[0], 2 + 0 * u), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(u * v * u, u * v), Invalid_input);
+  EXPECT_THROW(SC::divided_exactly(u, v, -1), Invalid_input);
+}
+
+TEST(Exact_division, breaks_are_respected)
+{
+  const Spline_map<1, 2> circle = Circle{Rational(0), Rational(0), Rational(1)}.map();
+  auto [u, v] = SC::parameters(circle, circle);
+  const Expression chord = circle(u)[0] - circle(v)[0];
+  EXPECT_THROW(SC::divided_exactly(chord, u - v), Invalid_input);
+  // A factor of every piece, on both sides of a break: (t - 1)(2 - t) for t < 1, and t - 1 beyond.
+  const Spline_map<1, 2> kinked({Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(-2), ratio(-1, 2), Rational(0), ratio(1, 2), Rational(1)}),
+                                 Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1)})});
+  auto [t] = SC::parameters(kinked);
+  const Expression slope = SC::divided_exactly(kinked(t)[0], t - 1);
+  EXPECT_EQ(slope(std::vector<Rational>{ratio(1, 2)}), ratio(3, 2));
+  EXPECT_EQ(slope(std::vector<Rational>{ratio(3, 2)}), Rational(1));
+  EXPECT_EQ(SC::divided_exactly(kinked(t)[1], t - 1)(std::vector<Rational>{Rational(0)}), Rational(-1));
+  // Dividing |t - 1| would leave a jump.
+  const Spline_map<1, 2> folded({Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(1), Rational(0), Rational(1)}), Spline({1}, knots({{0, 0, 1, 2, 2}}), {Rational(0), Rational(0), Rational(1)})});
+  auto [s] = SC::parameters(folded);
+  EXPECT_THROW(SC::divided_exactly(folded(s)[0], s - 1), Invalid_input);
 }
 
 TEST(Spline_map, surfaces_and_their_normals)

@@ -7,12 +7,14 @@
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <algorithm>
 #include <array>
-#include <concepts>
 #include <cstddef>
-#include <string>
+#include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,7 @@ inline int symbol_of(const Expression& expression)
 {
   const std::vector<int> symbols = expression.numerator().variables();
   if (symbols.size() != 1 || !(expression.numerator() == Power_polynomial::variable(symbols[0])) || !expression.denominator().powers.empty())
-    throw Invalid_input("solve_linear: what is to be eliminated is not an unknown");
+    throw Invalid_input("solve_linear, substituted: what is to be eliminated is not an unknown");
   return symbols[0];
 }
 
@@ -149,6 +151,36 @@ Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, co
     return meet(hyperplane(0), hyperplane(1));
   else
     return meet(hyperplane(0), hyperplane(1), hyperplane(2));
+}
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+
+the formula with another one in the place of an unknown.
+\throws Invalid_input when `unknown` is no unknown, or the parameter of a spline in the formula; or the value is such that something is divided by zero.
+*/
+inline Expression substituted(const Expression& formula, const Expression& unknown, const Expression& value)
+{
+  const int symbol = internal::symbol_of(unknown);
+  const auto table = internal::common_symbols(formula.symbols(), unknown.symbols());
+  const auto in_polynomial = [&](const Power_polynomial& polynomial) {
+    const Power_polynomial without_formulas = table->without_formulas(polynomial);
+    for (int other : without_formulas.variables())
+      if (const auto& parameters = (*table)[other].unknowns; std::find(parameters.begin(), parameters.end(), symbol) != parameters.end())
+        throw Invalid_input("substituted: the unknown is the parameter of a spline");
+    const std::map<int, Power_polynomial> coefficients = internal::coefficients_by_power(without_formulas, symbol);
+    Expression result = 0;   // by Horner's scheme
+    int power = coefficients.empty() ? 0 : coefficients.rbegin()->first;
+    for (auto summand = coefficients.rbegin(); summand != coefficients.rend(); ++summand) {
+      result = result * pow(value, power - summand->first) + Expression(summand->second, Monomial(), table);
+      power = summand->first;
+    }
+    return result * pow(value, power);
+  };
+  Expression result = in_polynomial(formula.numerator());
+  for (const auto& [divisor, exponent] : formula.denominator().powers)
+    result /= pow(in_polynomial(Power_polynomial::variable(divisor)), exponent);
+  return result;
 }
 
 } // namespace Spline_constraints
