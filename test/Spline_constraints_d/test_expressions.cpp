@@ -233,7 +233,10 @@ TEST(Expression, wide_integers_convert)
         value = sign * (value + offset);
         SC::internal::Wide_integer wide;
         SC::internal::convert(value, wide);
-        EXPECT_EQ(SC::internal::to_big_integer(wide), value);
+        SC::internal::Big_integer back(5);
+        SC::internal::assign(back.backend().data(), wide);
+        EXPECT_EQ(back, value);
+        EXPECT_EQ(SC::internal::to_rationals<Rational>(std::vector{wide})[0], SC::internal::scaled_rational(value, 0));
       }
 #endif
 }

@@ -125,9 +125,9 @@ public:
   {
     std::vector<Spline_term> terms;
     for (const Part& part : parts()) {
-      const auto term = dense_term(part);
+      Spline_term term = dense_term(part);
       if (!term.degrees.empty() || term.pieces[0][0] != 0)
-        terms.push_back(term);
+        terms.push_back(std::move(term));
     }
     if (terms.empty())
       terms.push_back(Spline_term{{}, {}, {}, {{Exact_rational(0)}}});
@@ -409,12 +409,8 @@ private:
       term.variables.push_back(unknowns[axis]);
     term.degrees = result.degrees;
     term.breaks = result.breaks;
-    for (const auto& piece : result.pieces) {
-      auto& coefficients = term.pieces.emplace_back();
-      coefficients.reserve(piece.size());
-      for (const Integer& x : piece)
-        coefficients.push_back(scaled_rational(to_big_integer(x), 0));
-    }
+    for (const auto& piece : result.pieces)
+      term.pieces.push_back(to_rationals<Exact_rational>(piece));
     return term;
   }
 

@@ -270,9 +270,9 @@ public:
     const std::vector<int> origin(result.degrees.size(), 0);
     for_each_index(result.last_cells(), [&](const std::vector<int>& cell) {
       auto& sum = result.pieces.emplace_back(tensor_size(result.degrees), Big_integer(0));
-      for (const auto& [spline, scale] : {std::pair(&a, &a_scale), std::pair(&b, &b_scale)}) {
-        auto next = spline->piece_on(result.breaks, cell).begin();
-        for_each_position(result.degrees, origin, spline->degrees(), [&](std::size_t position) { add_product(sum[position], *next++, *scale); });
+      for (const auto& summand : {std::pair(&a, &a_scale), std::pair(&b, &b_scale)}) {
+        auto next = summand.first->piece_on(result.breaks, cell).begin();
+        for_each_position(result.degrees, origin, summand.first->degrees(), [&](std::size_t position) { add_product(sum[position], *next++, *summand.second); });
       }
     });
     return Integer_spline(std::move(result), denominator);

@@ -33,18 +33,37 @@ inline void convert(const Big_integer& value, Wide_integer& result)
     result = -result;
 }
 
-inline Big_integer to_big_integer(Wide_integer value)
+// Sets a big integer, in place.
+inline void assign(mpz_ptr target, Wide_integer value)
 {
-  const Wide_integer absolute = value < 0 ? -value : value;
+  const bool is_negative = value < 0;
+  const Wide_integer absolute = is_negative ? -value : value;
   const std::uint64_t words[2] = {static_cast<std::uint64_t>(absolute), static_cast<std::uint64_t>(absolute >> 64)};
-  Big_integer result;
-  mpz_import(result.backend().data(), words[1] == 0 ? 1 : 2, -1, sizeof(std::uint64_t), 0, 0, words);
-  return value < 0 ? Big_integer(-result) : result;
+  mpz_import(target, words[1] == 0 ? 1 : 2, -1, sizeof(std::uint64_t), 0, 0, words);
+  if (is_negative)
+    mpz_neg(target, target);
 }
 #endif
 
 inline void convert(const Big_integer& value, Big_integer& result) { result = value; }
-inline const Big_integer& to_big_integer(const Big_integer& value) { return value; }
+inline void assign(mpz_ptr target, const Big_integer& value) { mpz_set(target, value.backend().data()); }
+
+// Rationals that are these integers; without temporaries where the type allows it, since allocations are most of the cost of an expansion.
+template <class Rational, class Integer>
+std::vector<Rational> to_rationals(const std::vector<Integer>& integers)
+{
+  std::vector<Rational> result(integers.size());
+  for (std::size_t i = 0; i < integers.size(); ++i) {
+    if constexpr (Writable_as_mpq<Rational>)
+      assign(mpq_numref(writable_mpq_of(result[i])), integers[i]);
+    else {
+      Big_integer integer;
+      assign(integer.backend().data(), integers[i]);
+      result[i] = scaled_rational<Rational>(integer, 0);
+    }
+  }
+  return result;
+}
 
 /*
 A sum of products sum_i s_i a_i (x) b_i (x) ... of vectors of integers, one of each factor. The products of the last factors are summed first, for each vector of the factors before them, so that
