@@ -16,6 +16,7 @@
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
+#include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>

@@ -4,6 +4,7 @@
 #include "formula_test_curves.h"
 
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
+#include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,7 @@ TEST(Expression, points_of_curves_are_exact)
   std::mt19937 random(1);
   const Circle circle{ratio(1, 3), Rational(2), ratio(5, 2)};
   const Spline_map<1, 2> c = circle.map();
+  EXPECT_EQ(SC::parameters(circle, c)[1].domain(), SC::parameters(c)[0].domain());
   const auto coordinates = circle.homogeneous_coordinates();
   auto [u] = SC::parameters(c);
   const Vector_expression<2> p = c(u), tangent = derivative(c)(u);
@@ -239,6 +241,47 @@ TEST(Expression, wide_integers_convert)
         EXPECT_EQ(SC::internal::to_rationals<Rational>(std::vector{wide})[0], SC::internal::scaled_rational(value, 0));
       }
 #endif
+}
+
+TEST(Expression, formulas_are_differentiated)
+{
+  std::mt19937 random(12);
+  const auto t = knots({{0, 0, 0, 0, 1, 2, 2, 2, 2}});
+  const Spline_map<1, 2> c({random_spline(random, {3}, t), random_spline(random, {3}, t)}, random_spline(random, {3}, t, true));
+  const Spline_map<2, 2> s({random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}})), random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}}))});
+  auto [u, v, x] = SC::unknowns({0, 2}, {0, 1}, {1, 2});
+  const auto vanishes = [&](const Expression& formula) {
+    int defined = 0;
+    for (int i = 0; i < 10; ++i)
+      try {
+        EXPECT_EQ(formula(random_point(random, *u.domains())), Rational(0));
+        ++defined;
+      } catch (const Invalid_input&) {   // a divisor is zero there
+      }
+    EXPECT_GE(defined, 5);
+  };
+  vanishes(derivative(c(u), u)[0] - derivative(c)(u)[0]);
+  vanishes(derivative(c(u), u)[1] - derivative(c)(u)[1]);
+  vanishes(derivative(s(u, v), v)[0] - derivative(s, 1)(u, v)[0]);
+  EXPECT_TRUE((derivative(c(u)[0], v) == 0).function.is_zero());
+  const Expression a = c(u)[0] * x / (x + c(u)[1]), b = s(u, v)[1] / x;   // Leibniz
+  vanishes(derivative(a * b, u) - derivative(a, u) * b - a * derivative(b, u));
+  vanishes(derivative(a / b, x) * b * b - derivative(a, x) * b + a * derivative(b, x));
+  vanishes(derivative(derivative(a, u), x) - derivative(derivative(a, x), u));
+  EXPECT_EQ(derivative(pow(x, 3) * u, x).polynomial(), (3 * x * x * u).polynomial());
+  auto [w] = SC::unknowns({0, 4});
+  EXPECT_THROW(derivative(x, w), Invalid_input);
+  EXPECT_THROW(derivative(Circle{Rational(0), Rational(0), Rational(1)}.map()(w)[0], w), Invalid_input);   // x' and w' jump
+}
+
+TEST(Expression, unknowns_with_one_value)
+{
+  const Circle circle{Rational(0), Rational(0), Rational(5)};
+  auto [u, v, x] = SC::unknowns({1, 1}, {ratio(7, 2), ratio(7, 2)}, {-9, 9});
+  const Spline_map<1, 2> c = circle.map();
+  const SC::Spline_function function = (c(u)[1] * c(v)[0] + x == 0).spline_function();
+  EXPECT_EQ(value(function, std::vector<Rational>{Rational(1), ratio(7, 2), Rational(-15)}), Rational(0));
+  EXPECT_NE(value(function, std::vector<Rational>{Rational(1), ratio(7, 2), Rational(-14)}), Rational(0));
 }
 
 TEST(Linear_elimination, lines_meet_in_their_point)

@@ -199,24 +199,41 @@ private:
 template <ParametricMap Map>
 Spline_map(const Map&) -> Spline_map<Map::parameter_dimension, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const Map&>().homogeneous_coordinates())>>>;
 
+namespace internal {
+
+template <int parameter_dimension, int dimension>
+const Spline_map<parameter_dimension, dimension>& to_spline_map(const Spline_map<parameter_dimension, dimension>& map)
+{
+  return map;
+}
+
+template <ParametricMap Map>
+auto to_spline_map(const Map& map)
+{
+  return Spline_map(map);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 makes the parameters of curves and surfaces as unknowns, with the domains of these as ranges: `auto [u, s, t] = parameters(curve, surface);`.
+\tparam Maps `Spline_map`s or models of `ParametricMap`.
 */
-template <int... parameter_dimensions, int... dimensions>
-  requires (sizeof...(dimensions) > 0)
-auto parameters(const Spline_map<parameter_dimensions, dimensions>&... maps)
+template <class... Maps>
+  requires (sizeof...(Maps) > 0) && requires(const Maps&... maps) { (internal::to_spline_map(maps), ...); }
+auto parameters(const Maps&... maps)
 {
   std::vector<std::array<Bound, 2>> ranges;
   const auto add = [&](const auto& map) {
     for (int j = 0; j < map.parameter_dimension; ++j)
       ranges.push_back({Bound(map.domain(j).first), Bound(map.domain(j).second)});
   };
-  (add(maps), ...);
+  (add(internal::to_spline_map(maps)), ...);
   const std::vector<Unknown> made = unknowns(ranges);
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Unknown, sizeof...(I)>{made[I]...};
-  }(std::make_index_sequence<(parameter_dimensions + ...)>());
+  }(std::make_index_sequence<(Maps::parameter_dimension + ...)>());
 }
 
 /*!

@@ -11,7 +11,6 @@
 #include <CGAL/Spline_constraints_d/solver/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <utility>
@@ -100,21 +99,14 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-the system of constraints between the unknowns of one call of `unknowns()`, with their conditions: a zero of what a formula is divided by is no solution of the formula.
+the system of constraints between the unknowns of one call of `unknowns()`, with their conditions.
 \throws Invalid_input when the constraints use unknowns of different calls, or none; and as `Constraint::spline_function()`.
 */
 inline Constraint_system_d make_system(std::span<const Constraint> constraints)
 {
   Constraint_system_d system(common_domains(constraints));
-  std::vector<Power_polynomial> conditions;
-  for (const Constraint& constraint : constraints) {
-    system.add(constraint.spline_function(), constraint.relation);
-    for (const Power_polynomial& condition : constraint.conditions)
-      if (std::find(conditions.begin(), conditions.end(), condition) == conditions.end()) {
-        conditions.push_back(condition);
-        system.add(internal::expanded(constraint.symbols.get(), condition), Relation::NOT_EQUAL);
-      }
-  }
+  for (const Constraint& constraint : constraints)
+    system.add(constraint);
   return system;
 }
 

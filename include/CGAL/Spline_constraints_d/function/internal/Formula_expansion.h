@@ -89,7 +89,7 @@ class Formula_expansion
     std::vector<int> last_cells() const { return Integer_pieces<Big_integer>{degrees, breaks, {}}.last_cells(); }
   };
 
-  static constexpr double maximal_size = 0x1p26;   // coefficients of a part
+  static constexpr double maximal_size = 0x1p24;   // coefficients of a part, all cells together
 
   const Symbol_table& m_symbols;
   const Power_polynomial m_polynomial;
