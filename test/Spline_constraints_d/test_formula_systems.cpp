@@ -98,6 +98,27 @@ TEST(Formula_systems, all_circles_of_Apollonius)
   }
 }
 
+// Equations 7 to 11, with the center as two more unknowns. Circles that meet do not disturb them.
+TEST(Formula_systems, circles_of_Apollonius_with_unknown_centers)
+{
+  const auto count = [](const std::array<Circle, 3>& circles) {
+    const Spline_map<1, 2> c1 = circles[0].map(), c2 = circles[1].map(), c3 = circles[2].map();
+    auto [x, y, u, v, w] = SC::unknowns({-20, 20}, {-20, 20}, {0, 4}, {0, 4}, {0, 4});
+    const Vector_expression p(x, y);
+    const auto system = SC::make_system(std::vector<Constraint>{squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w)),
+                                                                dot(p - c1(u), derivative(c1)(u)) == 0, dot(p - c2(v), derivative(c2)(v)) == 0, dot(p - c3(w), derivative(c3)(w)) == 0});
+    const auto solutions = SC::solve(system);
+    EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
+    for (const auto& solution : solutions) {
+      EXPECT_EQ(solution.kind(), Solution_kind::CERTIFIED);
+      EXPECT_TRUE(SC::verify(system, solution));
+    }
+    return solutions.size();
+  };
+  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(1)}, Circle{Rational(6), Rational(0), Rational(1)}, Circle{Rational(0), Rational(8), Rational(1)}}), 8u);
+  EXPECT_EQ(count({Circle{Rational(0), Rational(0), Rational(2)}, Circle{Rational(3), Rational(0), Rational(2)}, Circle{Rational(0), ratio(7, 2), Rational(2)}}), 4u);
+}
+
 // Seed 001, equations 20 to 22.
 Constraint bisector(const Spline_map<1, 2>& c1, const Spline_map<1, 2>& c2, const SC::Unknown& u, const SC::Unknown& v)
 {

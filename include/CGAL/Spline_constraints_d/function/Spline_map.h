@@ -124,10 +124,9 @@ public:
       const Expression weight(symbols.spline_of_unknowns(m_weight, indices, 1), Monomial(), unknowns[0]->symbols());
       factor /= pow(weight, m_weight_exponent);
     }
-    return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return Vector_expression<dimension_>(
-        std::array<Expression, dimension_>{Expression(symbols.spline_of_unknowns(m_coordinates[I], indices, 0), Monomial(), unknowns[0]->symbols()) * factor...});
-    }(std::make_index_sequence<dimension_>());
+    return internal::vector_of<dimension_>([&](std::size_t i) {
+      return Expression(symbols.spline_of_unknowns(m_coordinates[i], indices, 0), Monomial(), unknowns[0]->symbols()) * factor;
+    });
   }
 
   //! the point at given parameters, exactly. \throws Invalid_input when there are too many or too few of them, or one is outside of the domain.
@@ -150,11 +149,12 @@ public:
   the derivative by a parameter, \f$(x' w - k\, x w')/w^{k+1}\f$. Repeat it for higher derivatives.
 
   It exists as one map only if it is continuous, as a formula has to be: `x'` and `w'` may jump at a knot, the numerator must not.
-  \throws Invalid_input when the numerator jumps; the message names the parameter. To use the derivative of such a curve, split it there and write the constraints for each part.
+  \throws Invalid_input when there is no such parameter, or the numerator jumps; the message says where. To use the derivative of such a curve, split it there and write the constraints for each part.
   */
   friend Spline_map derivative(const Spline_map& map, int axis = 0)
   {
-    internal::check_count(axis >= 0 && axis < parameter_dimension_ ? parameter_dimension_ : 0, parameter_dimension_, "derivative: parameters of a map with such an axis");
+    if (axis < 0 || axis >= parameter_dimension_)
+      throw Invalid_input("derivative: no parameter " + std::to_string(axis) + " among " + std::to_string(parameter_dimension_));
     Spline_map result(map);
     for (int i = 0; i < dimension_; ++i) {
       internal::Integer_spline numerator = map.m_coordinates[i]->piecewise_derivative(axis);

@@ -9,7 +9,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <functional>
 #include <ostream>
 #include <span>
 #include <utility>
@@ -105,6 +104,19 @@ private:
 
 template <class... Coordinates>
 Vector_expression(const Coordinates&...) -> Vector_expression<sizeof...(Coordinates)>;
+
+namespace internal {
+
+// The vector with the coordinates coordinate(0), coordinate(1), ...
+template <int d, class Coordinate>
+Vector_expression<d> vector_of(const Coordinate& coordinate)
+{
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return Vector_expression<d>(std::array<Expression, d>{coordinate(I)...});
+  }(std::make_index_sequence<d>());
+}
+
+} // namespace internal
 
 /*!
 \addtogroup PkgSplineConstraintsDFunctions

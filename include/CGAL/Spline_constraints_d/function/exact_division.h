@@ -10,7 +10,6 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -180,9 +179,7 @@ a vector with every coordinate divided in this way.
 template <int d>
 Vector_expression<d> divided_exactly(const Vector_expression<d>& dividend, const Expression& factor, int exponent = 1)
 {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Vector_expression<d>(std::array<Expression, d>{divided_exactly(dividend[I], factor, exponent)...});
-  }(std::make_index_sequence<d>());
+  return internal::vector_of<d>([&](std::size_t i) { return divided_exactly(dividend[i], factor, exponent); });
 }
 
 } // namespace Spline_constraints

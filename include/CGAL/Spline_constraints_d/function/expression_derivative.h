@@ -9,10 +9,8 @@
 #include <CGAL/Spline_constraints_d/function/internal/Symbol_table.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -92,9 +90,7 @@ inline Expression derivative(const Expression& formula, const Unknown& u)
 template <int d>
 Vector_expression<d> derivative(const Vector_expression<d>& vector, const Unknown& u)
 {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Vector_expression<d>(std::array<Expression, d>{derivative(vector[I], u)...});
-  }(std::make_index_sequence<d>());
+  return internal::vector_of<d>([&](std::size_t i) { return derivative(vector[i], u); });
 }
 
 /*!

@@ -79,10 +79,7 @@ unknowns to be eliminated by `solve_linear()`: they have no range, and no constr
 template <int d>
 Vector_expression<d> unknowns_without_range(const Unknown& u)
 {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    const auto make = [&](std::size_t) { return Expression(Power_polynomial::variable(u.symbols()->enter_unknown_without_range()), Monomial(), u.symbols()); };
-    return Vector_expression<d>(std::array<Expression, d>{make(I)...});
-  }(std::make_index_sequence<d>());
+  return internal::vector_of<d>([&](std::size_t) { return Expression(Power_polynomial::variable(u.symbols()->enter_unknown_without_range()), Monomial(), u.symbols()); });
 }
 
 /*!
@@ -120,9 +117,7 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
         throw Invalid_input("solve_linear: an equation is not linear in the unknowns that are to be eliminated");
     rest = rest.substituted(symbol, Power_polynomial());
   }
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Hyperplane_expression<d>{Vector_expression<d>(std::array<Expression, d>{Expression(slopes[I], Monomial(), table)...}), Expression(-rest, Monomial(), table)};
-  }(std::make_index_sequence<d>());
+  return {vector_of<d>([&](std::size_t i) { return Expression(slopes[i], Monomial(), table); }), Expression(-rest, Monomial(), table)};
 }
 
 } // namespace internal
