@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -178,6 +180,74 @@ TEST(Expression, expansion_agrees_with_evaluation)
   }
 }
 
+// A formula of some leaves, and its value at a point by the operations it is made of; nothing where something is divided by zero.
+class Random_formula
+{
+  std::mt19937& m_random;
+  const std::vector<Expression>& m_leaves;
+  const std::vector<std::vector<Rational>>& m_values;   // of the leaves, for each point
+
+public:
+  Random_formula(std::mt19937& random, const std::vector<Expression>& leaves, const std::vector<std::vector<Rational>>& values)
+    : m_random(random), m_leaves(leaves), m_values(values) {}
+
+  std::pair<Expression, std::vector<std::optional<Rational>>> operator()(int depth)
+  {
+    std::vector<std::optional<Rational>> values;
+    if (depth == 0 || m_random() % 5 == 0) {
+      const std::size_t leaf = m_random() % m_leaves.size();
+      for (const auto& at_point : m_values)
+        values.push_back(at_point[leaf]);
+      return {m_leaves[leaf], values};
+    }
+    const auto [a, a_values] = (*this)(depth - 1);
+    const auto [b, b_values] = (*this)(depth - 1);
+    const unsigned operation = m_random() % 7;
+    const bool is_quotient = operation == 6 && !b.numerator().is_zero();
+    for (std::size_t i = 0; i < a_values.size(); ++i)
+      if (!a_values[i] || !b_values[i] || (is_quotient && *b_values[i] == Rational(0)))
+        values.push_back(std::nullopt);
+      else {
+        const Rational &x = *a_values[i], &y = *b_values[i];
+        values.push_back(operation < 2 ? Rational(x + y) : operation < 4 ? Rational(x - y) : is_quotient ? Rational(x / y) : Rational(x * y));
+      }
+    return {operation < 2 ? a + b : operation < 4 ? a - b : is_quotient ? a / b : a * b, values};
+  }
+};
+
+TEST(Expression, random_formulas)
+{
+  std::mt19937 random(13);
+  const auto a_knots = knots({{0, 0, 0, 1, 2, 2, 2}}), b_knots = knots({{0, 0, 1, 1}, {0, 0, 1, 2, 2}});
+  const Spline_map<1, 2> a({random_spline(random, {2}, a_knots), random_spline(random, {2}, a_knots)}, random_spline(random, {2}, a_knots, true)), b = bezier_curve({{1, 0}, {0, 2}, {3, 3}});
+  const Spline_map<2, 2> s({random_spline(random, {1, 1}, b_knots), random_spline(random, {1, 1}, b_knots)}, random_spline(random, {1, 1}, b_knots, true));
+  auto [u, v, w, x] = SC::unknowns({0, 2}, {0, 1}, {0, 2}, {-1, 1});
+  const std::vector<Expression> leaves{a(u)[0], a(u)[1], b(v)[0], b(v)[1], s(v, w)[0], s(v, w)[1], a(w)[0], x, u, x + 1, 3, Expression(ratio(-1, 2))};
+  std::vector<std::vector<Rational>> points, values;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back(random_point(random, *u.domains()));
+    auto& at_point = values.emplace_back();
+    for (const Expression& leaf : leaves)
+      at_point.push_back(leaf(points.back()));
+  }
+  Random_formula formulas(random, leaves, values);
+  int compared = 0;
+  for (int repeat = 0; repeat < 150; ++repeat) {
+    const auto [formula, expected] = formulas(3);
+    if (formula.symbols() == nullptr)
+      continue;
+    const SC::Spline_function equation = (formula == 0).spline_function(), inequality = (formula > 0).spline_function();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (expected[i]) {
+        EXPECT_EQ(formula(points[i]), *expected[i]);
+        EXPECT_EQ(value(equation, points[i]) == Rational(0), *expected[i] == Rational(0));
+        EXPECT_EQ(CGAL::sign(value(inequality, points[i])), CGAL::sign(*expected[i]));
+        ++compared;
+      }
+  }
+  EXPECT_GE(compared, 800);
+}
+
 TEST(Expression, sums_stay_apart_and_parts_join)
 {
   const Spline_map<1, 2> a = bezier_curve({{0, 0}, {1, 3}, {4, 1}, {2, 2}}), b = bezier_curve({{1, 0}, {0, 2}, {3, 3}});
@@ -250,11 +320,12 @@ TEST(Expression, formulas_are_differentiated)
   const Spline_map<1, 2> c({random_spline(random, {3}, t), random_spline(random, {3}, t)}, random_spline(random, {3}, t, true));
   const Spline_map<2, 2> s({random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}})), random_spline(random, {2, 1}, knots({{0, 0, 0, 2, 2, 2}, {0, 0, 1, 1}}))});
   auto [u, v, x] = SC::unknowns({0, 2}, {0, 1}, {1, 2});
+  const auto domains = u.domains();
   const auto vanishes = [&](const Expression& formula) {
     int defined = 0;
     for (int i = 0; i < 10; ++i)
       try {
-        EXPECT_EQ(formula(random_point(random, *u.domains())), Rational(0));
+        EXPECT_EQ(formula(random_point(random, *domains)), Rational(0));
         ++defined;
       } catch (const Invalid_input&) {   // a divisor is zero there
       }
