@@ -24,7 +24,7 @@ inline Rational ratio(int a, int b) { return Rational(a) / Rational(b); }
 // A circle as four rational quadratic pieces, with the parameter in [0,4]: with continuous derivatives, though those of the homogeneous coordinates jump.
 struct Circle
 {
-  static constexpr int parameter_dimension = 1;
+  static constexpr int number_of_parameters = 1;
   Rational x, y, radius;
 
   Spline spline(const std::array<int, 9>& base, const Rational& scale, const Rational& shift) const

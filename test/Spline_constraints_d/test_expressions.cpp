@@ -148,7 +148,15 @@ TEST(Expression, kinks_are_refused)
   } catch (const Invalid_input& error) {
     EXPECT_NE(std::string(error.what()).find("at the parameter 1 of axis 0"), std::string::npos) << error.what();
   }
-  EXPECT_NO_THROW(derivative(Spline_map<1, 2>({x.restricted(0, 0, 1), y.restricted(0, 0, 1)})));
+  EXPECT_EQ(kinked.breaks(0), (std::vector<Rational>{Rational(0), Rational(1), Rational(2)}));
+  for (int i = 0; i < 2; ++i) {
+    const Spline_map<1, 2> part = kinked.restricted(0, i, i + 1);
+    EXPECT_EQ(part.domain(0), (std::pair{Rational(i), Rational(i + 1)}));
+    EXPECT_EQ(at(derivative(part), Rational(1)), (Point_2{Rational(2 - 2 * i), Rational(10 * i)}));
+    EXPECT_THROW(part(std::vector<Rational>{ratio(3, 2 + 8 * i)}), Invalid_input);
+  }
+  EXPECT_THROW(kinked.restricted(0, 1, 3), Invalid_input);
+  EXPECT_THROW(kinked.restricted(0, 1, 1), Invalid_input);
   EXPECT_NO_THROW(derivative(Circle{Rational(0), Rational(0), Rational(1)}.map()));
 }
 
@@ -482,6 +490,11 @@ TEST(Exact_division, breaks_are_respected)
   auto [u, v] = SC::parameters(circle, circle);
   const Expression chord = circle(u)[0] - circle(v)[0];
   EXPECT_THROW(SC::divided_exactly(chord, u - v), Invalid_input);
+  EXPECT_EQ(circle.breaks(0), (std::vector<Rational>{Rational(0), Rational(1), Rational(3), Rational(4)}));
+  const Spline_map<1, 2> half = circle.restricted(0, 1, 3);
+  auto [p, q] = SC::parameters(half, half);
+  const std::vector<Rational> ends{Rational(1), Rational(3)};
+  EXPECT_EQ(SC::divided_exactly(half(p) - half(q), p - q)(ends), (Point_2{Rational(0), Rational(-1)}));
   // A factor of every piece, on both sides of a break: (t - 1)(2 - t) for t < 1, and t - 1 beyond.
   const Spline_map<1, 2> kinked({Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(-2), ratio(-1, 2), Rational(0), ratio(1, 2), Rational(1)}),
                                  Spline({2}, knots({{0, 0, 0, 1, 1, 2, 2, 2}}), {Rational(1), Rational(0), Rational(0), Rational(0), Rational(1)})});

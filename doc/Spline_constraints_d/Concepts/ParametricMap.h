@@ -13,7 +13,7 @@ class ParametricMap
 {
 public:
   //! number of parameters, 1 for a curve and 2 for a surface.
-  static constexpr int parameter_dimension;
+  static constexpr int number_of_parameters;
 
   //! the coordinates, two in the plane and three in space; if the map is rational, those times the weight.
   std::array<Bspline_function<Exact_rational>, dimension> homogeneous_coordinates() const;

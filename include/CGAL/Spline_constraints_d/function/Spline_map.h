@@ -31,7 +31,7 @@ The language form of the concept documented as \link ParametricMap `ParametricMa
 */
 template <class Map>
 concept ParametricMap = requires(const Map& map) {
-  { Map::parameter_dimension } -> std::convertible_to<int>;
+  { Map::number_of_parameters } -> std::convertible_to<int>;
   { map.is_rational() } -> std::convertible_to<bool>;
   { map.weight() } -> std::convertible_to<Bspline_function<Exact_rational>>;
   { map.homogeneous_coordinates() } -> std::convertible_to<std::array<Bspline_function<Exact_rational>, std::tuple_size_v<std::remove_cvref_t<decltype(map.homogeneous_coordinates())>>>>;
@@ -45,25 +45,25 @@ A curve or surface as formulas use it: a map \f$x/w^k\f$ from one or two paramet
 `c(u)` is the point of the curve `c` with the unknown `u` as parameter, and `derivative(c)(u)` the derivative there, so that an equation reads `dot(p - c(u), derivative(c)(u)) == 0`. All points
 of one map share its weight, which cancels where it occurs on both sides. Copies are cheap; points of equal maps are recognized to be equal, those of copies without comparing the splines.
 
-\tparam parameter_dimension_ the number of parameters, 1 for a curve, 2 for a surface.
+\tparam number_of_parameters_ the number of parameters, 1 for a curve, 2 for a surface.
 \tparam dimension_ the number of coordinates, 2 or 3.
 
 \sa `ParametricMap`
 */
-template <int parameter_dimension_, int dimension_>
-  requires (parameter_dimension_ == 1 || parameter_dimension_ == 2) && (dimension_ == 2 || dimension_ == 3)
+template <int number_of_parameters_, int dimension_>
+  requires (number_of_parameters_ == 1 || number_of_parameters_ == 2) && (dimension_ == 2 || dimension_ == 3)
 class Spline_map
 {
   using Spline = std::shared_ptr<const internal::Integer_spline>;
 
-  std::array<std::pair<Exact_rational, Exact_rational>, parameter_dimension_> m_domain;
+  std::array<std::pair<Exact_rational, Exact_rational>, number_of_parameters_> m_domain;
   std::array<Spline, dimension_> m_coordinates;
   Spline m_weight;   // null: none
   int m_weight_exponent = 0;
 
 public:
   //! number of parameters.
-  static constexpr int parameter_dimension = parameter_dimension_;
+  static constexpr int number_of_parameters = number_of_parameters_;
 
   //! number of coordinates.
   static constexpr int dimension = dimension_;
@@ -75,7 +75,7 @@ public:
       check_parameters(coordinates[i], coordinates[0], "coordinate " + std::to_string(i));
       m_coordinates[i] = std::make_shared<const internal::Integer_spline>(coordinates[i]);
     }
-    for (int j = 0; j < parameter_dimension_; ++j)
+    for (int j = 0; j < number_of_parameters_; ++j)
       m_domain[j] = coordinates[0].domain(j);
   }
 
@@ -104,19 +104,44 @@ public:
   explicit Spline_map(const Map& map)
     : Spline_map(map.is_rational() ? Spline_map(map.homogeneous_coordinates(), map.weight()) : Spline_map(map.homogeneous_coordinates()))
   {
-    static_assert(Map::parameter_dimension == parameter_dimension_);
+    static_assert(Map::number_of_parameters == number_of_parameters_);
   }
 
   //! the range of a parameter.
   const std::pair<Exact_rational, Exact_rational>& domain(int axis) const { return m_domain[axis]; }
 
+  //! where the map is cut into polynomial or rational pieces along an axis, the two ends of the domain included.
+  std::vector<Exact_rational> breaks(int axis) const
+  {
+    std::vector<Exact_rational> result = m_coordinates[0]->breaks()[axis];
+    for (const Spline& coordinate : m_coordinates)
+      result = internal::united(result, coordinate->breaks()[axis]);
+    return m_weight == nullptr ? result : internal::united(result, m_weight->breaks()[axis]);
+  }
+
+  //! the map on a part of its domain; parameters keep their meaning. Between successive breaks every derivative exists.
+  //! \throws Invalid_input when the part is empty or not within the domain.
+  Spline_map restricted(int axis, const Exact_rational& begin, const Exact_rational& end) const
+  {
+    if (!(m_domain[axis].first <= begin && begin < end && end <= m_domain[axis].second))
+      throw Invalid_input("Spline_map: the part to restrict axis " + std::to_string(axis) + " to is empty or not within the domain");
+    const auto part_of = [&](const Spline& spline) { return std::make_shared<const internal::Integer_spline>(spline->restricted(axis, begin, end)); };
+    Spline_map result(*this);
+    result.m_domain[axis] = {begin, end};
+    for (Spline& coordinate : result.m_coordinates)
+      coordinate = part_of(coordinate);
+    if (m_weight != nullptr)
+      result.m_weight = part_of(m_weight);
+    return result;
+  }
+
   //! the point with the given unknowns as parameters.
   //! \throws Invalid_input when the range of an unknown is not within that of its parameter, or the unknowns come from different calls of `unknowns()` or are the same.
   template <std::convertible_to<const Unknown&>... Parameters>
-    requires (sizeof...(Parameters) == parameter_dimension_)
+    requires (sizeof...(Parameters) == number_of_parameters_)
   Vector_expression<dimension_> operator()(const Parameters&... parameters) const
   {
-    const std::array<const Unknown*, parameter_dimension_> unknowns{&static_cast<const Unknown&>(parameters)...};
+    const std::array<const Unknown*, number_of_parameters_> unknowns{&static_cast<const Unknown&>(parameters)...};
     const std::vector<int> indices = checked_indices(unknowns);
     internal::Symbol_table& symbols = *unknowns[0]->symbols();
     Expression factor = 1;
@@ -132,8 +157,8 @@ public:
   //! the point at given parameters, exactly. \throws Invalid_input when there are too many or too few of them, or one is outside of the domain.
   std::array<Exact_rational, dimension_> operator()(std::span<const Exact_rational> parameters) const
   {
-    internal::check_count(parameters.size(), parameter_dimension_, "Spline_map: parameters of a point");
-    for (int j = 0; j < parameter_dimension_; ++j)
+    internal::check_count(parameters.size(), number_of_parameters_, "Spline_map: parameters of a point");
+    for (int j = 0; j < number_of_parameters_; ++j)
       if (parameters[j] < m_domain[j].first || m_domain[j].second < parameters[j])
         throw Invalid_input("Spline_map: parameter " + std::to_string(j) + " is outside of the domain");
     Exact_rational divisor(1);
@@ -149,12 +174,13 @@ public:
   the derivative by a parameter, \f$(x' w - k\, x w')/w^{k+1}\f$. Repeat it for higher derivatives.
 
   It exists as one map only if it is continuous, as a formula has to be: `x'` and `w'` may jump at a knot, the numerator must not.
-  \throws Invalid_input when there is no such parameter, or the numerator jumps; the message says where. To use the derivative of such a curve, split it there and write the constraints for each part.
+  \throws Invalid_input when there is no such parameter, or the numerator jumps; the message says where. To use the derivative of such a curve, split it there by `restricted()` and write the
+  constraints for each part.
   */
   friend Spline_map derivative(const Spline_map& map, int axis = 0)
   {
-    if (axis < 0 || axis >= parameter_dimension_)
-      throw Invalid_input("derivative: no parameter " + std::to_string(axis) + " among " + std::to_string(parameter_dimension_));
+    if (axis < 0 || axis >= number_of_parameters_)
+      throw Invalid_input("derivative: no parameter " + std::to_string(axis) + " among " + std::to_string(number_of_parameters_));
     Spline_map result(map);
     for (int i = 0; i < dimension_; ++i) {
       internal::Integer_spline numerator = map.m_coordinates[i]->piecewise_derivative(axis);
@@ -172,16 +198,16 @@ private:
 
   static void check_parameters(const Bspline_function<Exact_rational>& function, const Bspline_function<Exact_rational>& first, const std::string& what)
   {
-    internal::check_count(function.dimension(), parameter_dimension_, "Spline_map: parameters of " + what);
-    for (int j = 0; j < parameter_dimension_; ++j)
+    internal::check_count(function.dimension(), number_of_parameters_, "Spline_map: parameters of " + what);
+    for (int j = 0; j < number_of_parameters_; ++j)
       if (function.domain(j) != first.domain(j))
         throw Invalid_input("Spline_map: " + what + " has another domain on axis " + std::to_string(j) + " than the first coordinate");
   }
 
-  std::vector<int> checked_indices(const std::array<const Unknown*, parameter_dimension_>& unknowns) const
+  std::vector<int> checked_indices(const std::array<const Unknown*, number_of_parameters_>& unknowns) const
   {
     std::vector<int> result;
-    for (int j = 0; j < parameter_dimension_; ++j) {
+    for (int j = 0; j < number_of_parameters_; ++j) {
       internal::common_symbols(unknowns[0]->symbols(), unknowns[j]->symbols());
       const auto& [lower, upper] = unknowns[j]->domain();
       if (lower < m_domain[j].first || m_domain[j].second < upper)
@@ -197,12 +223,12 @@ private:
 //! \relates Spline_map
 //! the map of a curve or surface.
 template <ParametricMap Map>
-Spline_map(const Map&) -> Spline_map<Map::parameter_dimension, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const Map&>().homogeneous_coordinates())>>>;
+Spline_map(const Map&) -> Spline_map<Map::number_of_parameters, std::tuple_size_v<std::remove_cvref_t<decltype(std::declval<const Map&>().homogeneous_coordinates())>>>;
 
 namespace internal {
 
-template <int parameter_dimension, int dimension>
-const Spline_map<parameter_dimension, dimension>& to_spline_map(const Spline_map<parameter_dimension, dimension>& map)
+template <int number_of_parameters, int dimension>
+const Spline_map<number_of_parameters, dimension>& to_spline_map(const Spline_map<number_of_parameters, dimension>& map)
 {
   return map;
 }
@@ -226,14 +252,14 @@ auto parameters(const Maps&... maps)
 {
   std::vector<std::array<Bound, 2>> ranges;
   const auto add = [&](const auto& map) {
-    for (int j = 0; j < map.parameter_dimension; ++j)
+    for (int j = 0; j < map.number_of_parameters; ++j)
       ranges.push_back({Bound(map.domain(j).first), Bound(map.domain(j).second)});
   };
   (add(internal::to_spline_map(maps)), ...);
   const std::vector<Unknown> made = unknowns(ranges);
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return std::array<Unknown, sizeof...(I)>{made[I]...};
-  }(std::make_index_sequence<(Maps::parameter_dimension + ...)>());
+  }(std::make_index_sequence<(Maps::number_of_parameters + ...)>());
 }
 
 /*!

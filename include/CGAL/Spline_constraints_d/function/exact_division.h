@@ -148,7 +148,7 @@ zeros on those of the factor are found. Factors that are known to vanish, such a
 where the curve meets itself, and where it stops.
 
 A formula with splines is multiplied out to one dense tensor, and divided piece by piece. *All* pieces have to be divisible: on a spline with breaks inside they are not, since \f$c_i(u) - c_j(v)\f$ has no factor
-\f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is divided in some cells only is not continuous, which no proof across a break would survive. Split the curve at its breaks instead. A pair of
+\f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is divided in some cells only is not continuous, which no proof across a break would survive. Split the curve at its `breaks()` instead. A pair of
 equal parts is divided; a pair of different parts needs no division, but parts that are neighbours have their common end as a solution.
 
 \throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not continuous, the factor is no polynomial in unknowns or constant, none of its unknowns has a constant as
