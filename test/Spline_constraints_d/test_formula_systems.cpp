@@ -182,6 +182,29 @@ TEST(Formula_systems, ray_trap_of_a_triangle)
   expect_solutions(constraints, {{ratio(5, 14), ratio(14, 25), ratio(99, 169)}});
 }
 
+// Of three circles (Figure 2): the triangles whose perimeter is stationary. The perimeter is a function on a torus of dimension three, so there are at least 8 if it is not degenerate.
+TEST(Formula_systems, ray_traps_of_circles)
+{
+  const std::array<Spline_map<1, 2>, 3> circles{Circle{Rational(0), Rational(0), Rational(1)}.map(), Circle{Rational(5), Rational(0), Rational(2)}.map(),
+                                                Circle{Rational(1), Rational(6), Rational(1)}.map()};
+  const auto t = SC::parameters(circles[0], circles[1], circles[2]);
+  std::vector<Constraint> constraints;
+  for (int i = 0; i < 3; ++i) {
+    const int before = (i + 2) % 3, after = (i + 1) % 3;
+    const Vector_expression<2> n = normal(circles[i], t[i]), in = circles[before](t[before]) - circles[i](t[i]), out = circles[after](t[after]) - circles[i](t[i]);
+    constraints.push_back(square(dot(in, n)) * squared_norm(out) == square(dot(out, n)) * squared_norm(in));
+    constraints.push_back(dot(in, n) * dot(out, n) > 0);   // reflected, not passed on
+  }
+  const SC::Constraint_system_d system = SC::make_system(constraints);
+  const auto solutions = SC::solve(system);
+  EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
+  EXPECT_EQ(solutions.size(), 8u);
+  for (const auto& solution : solutions) {
+    EXPECT_EQ(solution.kind(), Solution_kind::CERTIFIED);
+    EXPECT_TRUE(SC::verify(system, solution));
+  }
+}
+
 TEST(Formula_systems, zeros_of_divisors_are_no_solutions)
 {
   auto [x, y] = SC::unknowns({-2, 2}, {-2, 2});
@@ -190,6 +213,25 @@ TEST(Formula_systems, zeros_of_divisors_are_no_solutions)
   expect_solutions({1 / x == 2, y / (x - y) == -2}, {{ratio(1, 2), Rational(1)}});
   expect_solutions({x * x == 1, y * y == 1, x != y}, {{Rational(1), Rational(-1)}, {Rational(-1), Rational(1)}});
   expect_solutions({x * x == 1, y == x, 1 / x > 0}, {{Rational(1), Rational(1)}});
+}
+
+TEST(Formula_systems, systems_take_formulas)
+{
+  auto [x, y] = SC::unknowns({-2, 2}, {1, 3});
+  SC::Constraint_system_d system({{Rational(-1), Rational(1)}, {Rational(1), Rational(2)}});   // a part of the ranges
+  system.add(x / y == ratio(1, 2));
+  system.add((y - 1) / (x - ratio(1, 2)) == 0);
+  system.add(y / (2 * x - 1) < 7);
+  EXPECT_EQ(system.equalities().size(), 2u);
+  EXPECT_EQ(system.inequalities().size(), 2u);   // one condition
+  EXPECT_TRUE(SC::solve(system).is_complete());
+  EXPECT_EQ(SC::solve(system).size(), 0u);
+  SC::Constraint_system_d larger({{Rational(-1), Rational(1)}, {Rational(0), Rational(2)}});
+  EXPECT_THROW(larger.add(x / y == 1), SC::Invalid_input);
+  SC::Constraint_system_d smaller({{Rational(-1), Rational(1)}});
+  EXPECT_THROW(smaller.add(x == y), SC::Invalid_input);
+  const Spline_map<1, 2> c = Circle{Rational(0), Rational(0), Rational(1)}.map();
+  EXPECT_THROW(SC::solve(c(x)[0] == 1, y == 1), SC::Invalid_input);
 }
 
 TEST(Formula_systems, one_unknown)

@@ -89,10 +89,14 @@ public:
 
   /*!
   adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a formula is divided by is no solution of it.
-  \throws Invalid_input as the other function, and as `Constraint::spline_function()`.
+  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger domain in the system than its range in the formula, which proofs about
+  divisors rely on.
   */
   void add(const Constraint& constraint)
   {
+    for (int i = 0; constraint.domains != nullptr && i < dimension() && i < static_cast<int>(constraint.domains->size()); ++i)
+      if (const Domain& range = (*constraint.domains)[i]; domain(i).first < range.first || range.second < domain(i).second)
+        throw Invalid_input("Constraint_system_d: unknown " + std::to_string(i) + " of a formula ranges beyond its own range");
     add(constraint.spline_function(), constraint.relation);
     for (Spline_function& condition : constraint.condition_functions()) {
       const auto is_condition = [&](const Inequality& known) { return known.relation == Relation::NOT_EQUAL && known.function.terms() == condition.terms(); };
