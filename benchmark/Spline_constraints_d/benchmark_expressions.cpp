@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Time to write the constraints of Apollonius (seed 000, equations 12 to 16) for three curves, and to expand them into dense tensors, exactly.
+// Time to write the constraints of Apollonius (seed 000, equations 12 to 16) for three curves, to expand them into dense tensors, exactly, and to solve them; and the same for ray-traps.
 #include <CGAL/Spline_constraints_d/function/Rational_function.h>
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <benchmark/benchmark.h>
 
@@ -96,7 +97,31 @@ void write_only(benchmark::State& state, const Operands& operands)
     benchmark::DoNotOptimize(constraints(operands));
 }
 
-// The same with rational functions of three parameters, which are multiplied out in every step.
+// Seed 000, equation 6, squared.
+std::vector<SC::Constraint> ray_trap_constraints(const Operands& operands)
+{
+  const std::array<SC::Spline_map<1, 2>, 3> c{operands[0].map(), operands[1].map(), operands[2].map()};
+  const auto t = SC::parameters(c[0], c[1], c[2]);
+  std::vector<SC::Constraint> result;
+  for (int i = 0; i < 3; ++i) {
+    const int before = (i + 2) % 3, after = (i + 1) % 3;
+    const auto n = normal(c[i], t[i]), in = c[before](t[before]) - c[i](t[i]), out = c[after](t[after]) - c[i](t[i]);
+    result.push_back(square(dot(in, n)) * squared_norm(out) == square(dot(out, n)) * squared_norm(in));
+    result.push_back(dot(in, n) * dot(out, n) > 0);
+  }
+  return result;
+}
+
+void solve_only(benchmark::State& state, const std::vector<SC::Constraint>& constraints)
+{
+  const SC::Constraint_system_d system = SC::make_system(constraints);
+  std::size_t solutions = 0;
+  for (auto _ : state)
+    solutions = SC::solve(system).size();
+  state.counters["solutions"] = static_cast<double>(solutions);
+}
+
+// The constraints of Apollonius with rational functions of three parameters, which are multiplied out in every step.
 void multiply_out_at_once(benchmark::State& state, const Operands& operands)
 {
   using Function = SC::Rational_function<Spline>;
@@ -130,6 +155,8 @@ BENCHMARK_CAPTURE(write_and_expand, rational_quadratics, random_curves(2, true))
 BENCHMARK_CAPTURE(write_and_expand, rational_cubics, random_curves(3, true))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(write_only, circles, circles())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(write_only, rational_cubics, random_curves(3, true))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_only, circles, constraints(circles()))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_only, ray_traps_of_circles, ray_trap_constraints(circles()))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(multiply_out_at_once, quadratics, random_curves(2, false))->Unit(benchmark::kMillisecond)->Iterations(1);
 
 } // namespace
