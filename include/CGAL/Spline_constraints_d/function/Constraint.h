@@ -51,11 +51,11 @@ inline Spline_function expanded(const Symbol_table* symbols, const Power_polynom
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-An equation or inequality in unknowns and splines of unknowns, as a user writes it: `x*x + y*y == 2` is the constraint `function relation 0` with the function \f$x^2+y^2-2\f$ and the
-relation `EQUAL`.
+An equation or inequality in unknowns and splines of unknowns, as a user writes it: `x*x + y*y == 2` is the constraint `function relation 0` with the function \f$x^2+y^2-2\f$
+and the relation `EQUAL`.
 
-What the sides of the formula are divided by is multiplied out: \f$f\f$ is zero where \f$f/d\f$ is, provided that \f$d \neq 0\f$. Weights are proved to be positive and no more is said of
-them; every other divisor is kept as a *condition*. In an inequality, a divisor of unknown sign is multiplied with the function, for \f$f/d > 0\f$ is \f$f d > 0\f$.
+What the sides of the formula are divided by is multiplied out: \f$f\f$ is zero where \f$f/d\f$ is, provided that \f$d \neq 0\f$. Weights are proved to be positive and no more
+is said of them; every other divisor is kept as a *condition*. In an inequality, a divisor of unknown sign is multiplied with the function, for \f$f/d > 0\f$ is \f$f d > 0\f$.
 */
 struct Constraint
 {
@@ -78,8 +78,9 @@ struct Constraint
   /*!
   `function` as a function of the unknowns alone, in exact arithmetic; where splines occur, times a positive number that makes all coefficients integers.
 
-  Monomials on the same unknowns become one dense tensor per cell of the breaks; monomials on a part of these unknowns join it where the coefficients do not become more. All others stay
-  apart. Complexity: for a formula with \f$m\f$ different products of splines of one unknown, one multiplication of integers for each of these products and each coefficient of the result.
+  Monomials on the same unknowns become one dense tensor per cell of the breaks; monomials on a part of these unknowns join it where the coefficients do not become more. All
+  others stay apart. Complexity: for a formula with \f$m\f$ different products of splines of one unknown, one multiplication of integers for each of these products and each
+  coefficient of the result.
   \throws Invalid_input when a tensor gets too many coefficients, or an unknown without a range is left.
   */
   Spline_function spline_function() const { return internal::expanded(symbols.get(), function); }

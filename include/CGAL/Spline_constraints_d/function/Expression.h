@@ -84,11 +84,13 @@ inline Power_polynomial divided(const Power_polynomial& polynomial, const Monomi
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A formula in unknowns: what `+`, `-`, `*`, `/` and `pow` make of `Unknown`s, numbers, and coordinates of curves and surfaces (`Spline_map`). Comparing two expressions makes a `Constraint`.
+A formula in unknowns: what `+`, `-`, `*`, `/` and `pow` make of `Unknown`s, numbers, and coordinates of curves and surfaces (`Spline_map`). Comparing two expressions makes a
+`Constraint`.
 
-A formula is a quotient \f$n/d\f$. The numerator is a polynomial, expanded and exact, in the unknowns and in the splines that occur in the formula: not in their coefficients, so
-that \f$x_1(u)\, y_2(v)\f$ is one term whatever the degrees are. The denominator is a product of weights, which are proved to be positive, and of other divisors. Equal ones are recognized,
-get a common denominator that holds them once, and cancel as in the field of rational functions: `x*x/x` is `x`. Splines are multiplied out only in `Constraint::spline_function()`.
+A formula is a quotient \f$n/d\f$. The numerator is a polynomial, expanded and exact, in the unknowns and in the splines that occur in the formula: not in their coefficients,
+so that \f$x_1(u)\, y_2(v)\f$ is one term whatever the degrees are. The denominator is a product of weights, which are proved to be positive, and of other divisors. Equal ones
+are recognized, get a common denominator that holds them once, and cancel as in the field of rational functions: `x*x/x` is `x`. Splines are multiplied out only in
+`Constraint::spline_function()`.
 
 \throws Invalid_input from every operation on two expressions whose unknowns come from different calls of `unknowns()`; and see `Power_polynomial`.
 */

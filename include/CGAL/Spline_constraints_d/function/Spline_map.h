@@ -42,8 +42,9 @@ concept ParametricMap = requires(const Map& map) {
 
 A curve or surface as formulas use it: a map \f$x/w^k\f$ from one or two parameters to the plane or space, with exact splines \f$x\f$ and \f$w\f$.
 
-`c(u)` is the point of the curve `c` with the unknown `u` as parameter, and `derivative(c)(u)` the derivative there, so that an equation reads `dot(p - c(u), derivative(c)(u)) == 0`. All points
-of one map share its weight, which cancels where it occurs on both sides. Copies are cheap; points of equal maps are recognized to be equal, those of copies without comparing the splines.
+`c(u)` is the point of the curve `c` with the unknown `u` as parameter, and `derivative(c)(u)` the derivative there, so that an equation reads
+`dot(p - c(u), derivative(c)(u)) == 0`. All points of one map share its weight, which cancels where it occurs on both sides. Copies are cheap; points of equal maps are
+recognized to be equal, those of copies without comparing the splines.
 
 \tparam number_of_parameters_ the number of parameters, 1 for a curve, 2 for a surface.
 \tparam dimension_ the number of coordinates, 2 or 3.
@@ -174,8 +175,8 @@ public:
   the derivative by a parameter, \f$(x' w - k\, x w')/w^{k+1}\f$. Repeat it for higher derivatives.
 
   It exists as one map only if it is continuous, as a formula has to be: `x'` and `w'` may jump at a knot, the numerator must not.
-  \throws Invalid_input when there is no such parameter, or the numerator jumps; the message says where. To use the derivative of such a curve, split it there by `restricted()` and write the
-  constraints for each part.
+  \throws Invalid_input when there is no such parameter, or the numerator jumps; the message says where. To use the derivative of such a curve, split it there by `restricted()`
+  and write the constraints for each part.
   */
   friend Spline_map derivative(const Spline_map& map, int axis = 0)
   {

@@ -143,16 +143,17 @@ inline Power_polynomial divided_piece_by_piece(const Power_polynomial& dividend,
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-the formula divided by `pow(factor, exponent)`, where this leaves no remainder. Unlike division, it makes no condition: the quotient is a polynomial, or a spline, wherever the formula is, and its
-zeros on those of the factor are found. Factors that are known to vanish, such as \f$u - v\f$ in formulas for one curve at two parameters, are removed in this way: `divided_exactly(c(u) - c(v), u - v)` is zero
-where the curve meets itself, and where it stops.
+the formula divided by `pow(factor, exponent)`, where this leaves no remainder. Unlike division, it makes no condition: the quotient is a polynomial, or a spline, wherever the
+formula is, and its zeros on those of the factor are found. Factors that are known to vanish, such as \f$u - v\f$ in formulas for one curve at two parameters, are removed in
+this way: `divided_exactly(c(u) - c(v), u - v)` is zero where the curve meets itself, and where it stops.
 
-A formula with splines is multiplied out to one dense tensor, and divided piece by piece. *All* pieces have to be divisible: on a spline with breaks inside they are not, since \f$c_i(u) - c_j(v)\f$ has no factor
-\f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is divided in some cells only is not continuous, which no proof across a break would survive. Split the curve at its `breaks()` instead. A pair of
-equal parts is divided; a pair of different parts needs no division, but parts that are neighbours have their common end as a solution.
+A formula with splines is multiplied out to one dense tensor, and divided piece by piece. *All* pieces have to be divisible: on a spline with breaks inside they are not, since
+\f$c_i(u) - c_j(v)\f$ has no factor \f$u - v\f$ for different pieces \f$c_i\f$ and \f$c_j\f$, and a function that is divided in some cells only is not continuous, which no
+proof across a break would survive. Split the curve at its `breaks()` instead. A pair of equal parts is divided; a pair of different parts needs no division, but parts that
+are neighbours have their common end as a solution.
 
-\throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not continuous, the factor is no polynomial in unknowns or constant, none of its unknowns has a constant as
-coefficient of its highest power, or the exponent is negative.
+\throws Invalid_input when there is a remainder in some cell (the message names the cell), the quotient is not continuous, the factor is no polynomial in unknowns or constant,
+none of its unknowns has a constant as coefficient of its highest power, or the exponent is negative.
 */
 inline Expression divided_exactly(const Expression& dividend, const Expression& factor, int exponent = 1)
 {

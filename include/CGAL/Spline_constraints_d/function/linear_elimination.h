@@ -125,15 +125,16 @@ Hyperplane_expression<d> hyperplane_of(const Constraint& equation, const std::ar
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-what equations say of unknowns that occur linearly in them: the values of these, by Cramer's rule. The determinant is a divisor, as in `meet()`. Put these formulas in the place of the
-unknowns in all other constraints. When the unknowns have ranges, the values are not restricted to them.
+what equations say of unknowns that occur linearly in them: the values of these, by Cramer's rule. The determinant is a divisor, as in `meet()`. Put these formulas in the place
+of the unknowns in all other constraints. When the unknowns have ranges, the values are not restricted to them.
 
 \code
 auto p = unknowns_without_range<2>(u);
 auto center = solve_linear({squared_norm(p - c1(u)) == squared_norm(p - c2(v)), squared_norm(p - c1(u)) == squared_norm(p - c3(w))}, p);
 \endcode
 
-\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns or has a divisor that may vanish, or the determinant is the zero polynomial.
+\throws Invalid_input when what is to be eliminated is no unknown, an equation is not linear in the unknowns or has a divisor that may vanish, or the determinant is the zero
+polynomial.
 */
 template <int d>
 Vector_expression<d> solve_linear(const std::array<Constraint, d>& equations, const Vector_expression<d>& unknowns)

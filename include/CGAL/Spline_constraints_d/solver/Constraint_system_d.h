@@ -89,8 +89,8 @@ public:
 
   /*!
   adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a formula is divided by is no solution of it.
-  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger domain in the system than its range in the formula, which proofs about
-  divisors rely on.
+  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger domain in the system than its range in the formula, which
+  proofs about divisors rely on.
   */
   void add(const Constraint& constraint)
   {

@@ -22,9 +22,9 @@ namespace internal {
 /*
 A polynomial in splines of unknowns, as a function of the unknowns.
 
-Its monomials are products of functions of few unknowns each. Those on the same unknowns become one dense tensor per cell; monomials on some of these unknowns join it where that makes no more
-coefficients. Within such a part, unknowns that some spline has as axes together form a block; every monomial is a product of one vector for each block, which holds the coefficients of
-all cells, and equal ones are computed once. All of this is done in integers over one denominator.
+Its monomials are products of functions of few unknowns each. Those on the same unknowns become one dense tensor per cell; monomials on some of these unknowns join it where
+that makes no more coefficients. Within such a part, unknowns that some spline has as axes together form a block; every monomial is a product of one vector for each block,
+which holds the coefficients of all cells, and equal ones are computed once. All of this is done in integers over one denominator.
 */
 class Formula_expansion
 {

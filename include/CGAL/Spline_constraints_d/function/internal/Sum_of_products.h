@@ -66,8 +66,8 @@ std::vector<Rational> to_rationals(const std::vector<Integer>& integers)
 }
 
 /*
-A sum of products sum_i s_i a_i (x) b_i (x) ... of vectors of integers, one of each factor. The products of the last factors are summed first, for each vector of the factors before them, so that
-the whole result is passed only once for each distinct vector of the first factor.
+A sum of products sum_i s_i a_i (x) b_i (x) ... of vectors of integers, one of each factor. The products of the last factors are summed first, for each vector of the factors
+before them, so that the whole result is passed only once for each distinct vector of the first factor.
 */
 class Sum_of_products
 {

@@ -31,8 +31,8 @@ using Unknown_domains = std::vector<std::pair<Exact_rational, Exact_rational>>;
 namespace internal {
 
 /*
-What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order of their first use, splines of unknowns, formulas that something was
-divided by, and unknowns without a range.
+What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order of their first use, splines of unknowns, formulas that
+something was divided by, and unknowns without a range.
 */
 struct Symbol
 {
@@ -47,8 +47,8 @@ struct Symbol
 };
 
 /*
-The symbols of all formulas in the unknowns of one call of `unknowns()`. Equal ones are entered once, which makes common factors and common subexpressions visible. Entries never change, so
-references to them stay valid; threads may use a table at the same time.
+The symbols of all formulas in the unknowns of one call of `unknowns()`. Equal ones are entered once, which makes common factors and common subexpressions visible. Entries
+never change, so references to them stay valid; threads may use a table at the same time.
 */
 class Symbol_table
 {
