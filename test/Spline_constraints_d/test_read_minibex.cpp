@@ -349,6 +349,9 @@ TEST(Write_minibex, bad_systems_are_refused)
   bad = good;
   bad.constraints[0].function = unknown(17);
   EXPECT_THROW(SC::write_minibex(out, bad), SC::Invalid_input);
+  bad = good;
+  bad.constraints[0].relation = SC::Relation::NOT_EQUAL;
+  EXPECT_THROW(SC::write_minibex(out, bad), SC::Invalid_input);
   EXPECT_EQ(out.str(), "");
 }
 

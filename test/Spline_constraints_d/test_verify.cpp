@@ -186,13 +186,17 @@ TEST(Verify, Inequalities)
   EXPECT_TRUE(verifies(x, Relation::GREATER_EQUAL));
   EXPECT_FALSE(verifies(x, Relation::LESS));
   EXPECT_FALSE(verifies(x, Relation::LESS_EQUAL));
+  EXPECT_TRUE(verifies(x, Relation::NOT_EQUAL));
+  EXPECT_TRUE(verifies(-x, Relation::NOT_EQUAL));
   for (const Polynomial& g : {Polynomial(3 * x - 2), Polynomial((3 * x - 2) * (x * x + 1))}) {   // on the boundary
     EXPECT_TRUE(verifies(g, Relation::LESS_EQUAL));
     EXPECT_TRUE(verifies(g, Relation::GREATER_EQUAL));
     EXPECT_FALSE(verifies(g, Relation::LESS));
     EXPECT_FALSE(verifies(g, Relation::GREATER));
+    EXPECT_FALSE(verifies(g, Relation::NOT_EQUAL));
   }
   // next to the boundary
+  EXPECT_TRUE(verifies(x - fraction(2, 3) + Rational(1e-18), Relation::NOT_EQUAL));
   EXPECT_TRUE(verifies(x - fraction(2, 3) + Rational(1e-18), Relation::GREATER));
   EXPECT_FALSE(verifies(x - fraction(2, 3) + Rational(1e-18), Relation::LESS_EQUAL));
   // an irrational root
@@ -200,6 +204,14 @@ TEST(Verify, Inequalities)
   system.add(x - Rational(1.4142135623730950), Relation::GREATER_EQUAL);   // the double lies below or above: sign by hand
   const Rational d(1.4142135623730950);
   EXPECT_EQ(verify(system, certified({{1.25, 1.5}})), d * d < Rational(2));
+  // two unknowns, where the operator has to shrink the box until it lies beside the zeros of the inequality
+  System plane({{-2, 2}, {-2, 2}});
+  plane.add(x * x - 2, Relation::EQUAL);
+  plane.add(y - x, Relation::EQUAL);
+  plane.add(2 * y - 3, Relation::NOT_EQUAL);
+  EXPECT_TRUE(verify(plane, certified({{1.25, 1.75}, {1.25, 1.75}})));
+  plane.add(y * y - 2, Relation::NOT_EQUAL);
+  EXPECT_FALSE(verify(plane, certified({{1.25, 1.75}, {1.25, 1.75}})));
 }
 
 TEST(Verify, SplinesAcrossBreaks)

@@ -49,7 +49,8 @@ inline std::string interval_text(const std::pair<Exact_rational, Exact_rational>
 writes a system as a Minibex file that `read_minibex()` reads back exactly: the same names, domains, functions and relations.
 
 \throws Invalid_input when a name is neither an identifier nor in place as an element `x(1)`, `x(2)`, ... of an array, when there are
-        no unknowns or no constraints, when names and domains differ in number, or when a function has an unknown without a name.
+        no unknowns or no constraints, when names and domains differ in number, when a function has an unknown without a name, or when a
+        relation is `NOT_EQUAL`, which the language does not have.
 */
 inline void write_minibex(std::ostream& out, const Minibex_system& system)
 {
@@ -69,8 +70,11 @@ inline void write_minibex(std::ostream& out, const Minibex_system& system)
     text += size == 0 ? ";\n" : ");\n";
   }
   text += "Constraints\n";
-  for (const Minibex_constraint& constraint : system.constraints)
+  for (const Minibex_constraint& constraint : system.constraints) {
+    if (constraint.relation == Relation::NOT_EQUAL)
+      throw Invalid_input("write_minibex: the relation != cannot be written");
     text += "  " + constraint.function.to_string(system.names) + ' ' + symbol(constraint.relation) + " 0;\n";
+  }
   out << text << "end\n";
 }
 

@@ -21,7 +21,8 @@ enum class Relation {
   LESS,            //!< \f$f < 0\f$
   LESS_EQUAL,      //!< \f$f \le 0\f$
   GREATER_EQUAL,   //!< \f$f \ge 0\f$
-  GREATER          //!< \f$f > 0\f$
+  GREATER,         //!< \f$f > 0\f$
+  NOT_EQUAL        //!< \f$f \neq 0\f$
 };
 
 /*!
@@ -36,6 +37,7 @@ inline bool is_satisfied(Relation relation, CGAL::Sign sign)
   case Relation::LESS: return sign == CGAL::NEGATIVE;
   case Relation::LESS_EQUAL: return sign != CGAL::POSITIVE;
   case Relation::GREATER_EQUAL: return sign != CGAL::NEGATIVE;
+  case Relation::NOT_EQUAL: return sign != CGAL::ZERO;
   case Relation::GREATER: break;
   }
   return sign == CGAL::POSITIVE;
@@ -44,7 +46,7 @@ inline bool is_satisfied(Relation relation, CGAL::Sign sign)
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-the relation as it is written in a formula: `=`, `<`, `<=`, `>=` or `>`.
+the relation as it is written in a formula: `=`, `<`, `<=`, `>=`, `>` or `!=`.
 */
 inline const char* symbol(Relation relation)
 {
@@ -53,6 +55,7 @@ inline const char* symbol(Relation relation)
   case Relation::LESS: return "<";
   case Relation::LESS_EQUAL: return "<=";
   case Relation::GREATER_EQUAL: return ">=";
+  case Relation::NOT_EQUAL: return "!=";
   case Relation::GREATER: break;
   }
   return ">";

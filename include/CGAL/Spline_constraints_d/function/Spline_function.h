@@ -47,6 +47,9 @@ struct Spline_term
 
   //! number of cells along an axis.
   std::size_t cells(std::size_t axis) const { return breaks[axis].empty() ? 1 : breaks[axis].size() - 1; }
+
+  //! whether two terms have the same unknowns, degrees, breaks and coefficients.
+  bool operator==(const Spline_term&) const = default;
 };
 
 /*!

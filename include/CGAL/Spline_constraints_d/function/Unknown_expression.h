@@ -4,56 +4,23 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_UNKNOWN_EXPRESSION_H
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_UNKNOWN_EXPRESSION_H
 
+#include <CGAL/Spline_constraints_d/function/Constraint.h>
+#include <CGAL/Spline_constraints_d/function/Expression.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
-#include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <memory>
-#include <ostream>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-
-The closed ranges of all unknowns that were made by one call of `unknowns()`, in their order.
-*/
-using Unknown_domains = std::vector<std::pair<Exact_rational, Exact_rational>>;
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-
-A polynomial equation or inequality in unknowns, as a user writes it: `x*x + y*y == 2` is the constraint `function relation 0`
-with the function \f$x^2+y^2-2\f$ and the relation `EQUAL`.
-*/
-struct Constraint
-{
-  //! left side minus right side; its unknowns are indices into `*domains`.
-  Power_polynomial function;
-
-  //! how the function compares with zero.
-  Relation relation;
-
-  //! the ranges of the unknowns, shared by all that were made together; null when no unknown occurs in the formula.
-  std::shared_ptr<const Unknown_domains> domains;
-
-  //! writes, for example, `-2 + x0^2 + x1^2 = 0`.
-  friend std::ostream& operator<<(std::ostream& out, const Constraint& constraint)
-  {
-    return out << constraint.function << ' ' << constraint.relation << " 0";
-  }
-};
 
 /*!
 \ingroup PkgSplineConstraintsDFunctions
@@ -77,113 +44,29 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 
-A formula in unknowns: what `+`, `-`, `*`, `/` (by a constant) and `pow` make of `Unknown`s and numbers. Comparing two expressions
-makes a `Constraint`.
-
-\throws Invalid_input from every operation on two expressions whose unknowns come from different calls of `unknowns()`; and see `Power_polynomial`.
-*/
-class Expression
-{
-  Power_polynomial m_polynomial;
-  std::shared_ptr<const Unknown_domains> m_domains;
-
-protected:
-  Expression(Power_polynomial polynomial, std::shared_ptr<const Unknown_domains> domains)
-    : m_polynomial(std::move(polynomial)), m_domains(std::move(domains)) {}
-
-public:
-  //! a constant: a built-in number or an `Exact_rational`, exactly.
-  //! \throws Invalid_input when the value is not a finite number.
-  template <class T>
-    requires std::convertible_to<const T&, Power_polynomial> && (!std::derived_from<T, Power_polynomial>)
-  Expression(const T& constant) : m_polynomial(constant) {}
-
-  //! the expanded formula.
-  const Power_polynomial& polynomial() const { return m_polynomial; }
-
-  //! the ranges of the unknowns that were made together with those in the formula; null when none occurs.
-  const std::shared_ptr<const Unknown_domains>& domains() const { return m_domains; }
-
-  Expression& operator+=(const Expression& other) { join(other); m_polynomial += other.m_polynomial; return *this; }
-  Expression& operator-=(const Expression& other) { join(other); m_polynomial -= other.m_polynomial; return *this; }
-  Expression& operator*=(const Expression& other) { join(other); m_polynomial *= other.m_polynomial; return *this; }
-
-  //! division by a constant.
-  //! \throws Invalid_input when the divisor is zero or not a constant.
-  Expression& operator/=(const Expression& other) { join(other); m_polynomial /= other.m_polynomial; return *this; }
-
-  friend Expression operator+(Expression a, const Expression& b) { return std::move(a += b); }
-  friend Expression operator-(Expression a, const Expression& b) { return std::move(a -= b); }
-  friend Expression operator*(Expression a, const Expression& b) { return std::move(a *= b); }
-  friend Expression operator/(Expression a, const Expression& b) { return std::move(a /= b); }
-  friend Expression operator+(Expression a) { return a; }
-  friend Expression operator-(Expression a)
-  {
-    a.m_polynomial = -std::move(a.m_polynomial);
-    return a;
-  }
-
-  //! a power with a non-negative exponent.
-  //! \throws Invalid_input when the exponent is negative.
-  friend Expression pow(const Expression& base, int exponent)
-  {
-    return Expression(pow(base.m_polynomial, exponent), base.m_domains);
-  }
-
-  //! the square.
-  friend Expression square(const Expression& a) { return pow(a, 2); }
-
-  friend Constraint operator==(Expression a, const Expression& b) { return compare(std::move(a), Relation::EQUAL, b); }
-  friend Constraint operator<(Expression a, const Expression& b) { return compare(std::move(a), Relation::LESS, b); }
-  friend Constraint operator<=(Expression a, const Expression& b) { return compare(std::move(a), Relation::LESS_EQUAL, b); }
-  friend Constraint operator>=(Expression a, const Expression& b) { return compare(std::move(a), Relation::GREATER_EQUAL, b); }
-  friend Constraint operator>(Expression a, const Expression& b) { return compare(std::move(a), Relation::GREATER, b); }
-  friend Constraint operator!=(const Expression&, const Expression&) = delete;   // not closed: no root of it can be certified
-
-  //! writes the polynomial.
-  friend std::ostream& operator<<(std::ostream& out, const Expression& a) { return out << a.m_polynomial; }
-
-private:
-  void join(const Expression& other)
-  {
-    if (m_domains == nullptr)
-      m_domains = other.m_domains;
-    else if (other.m_domains != nullptr && other.m_domains != m_domains)
-      throw Invalid_input("Expression: unknowns from different calls of unknowns() in one formula");
-  }
-
-  static Constraint compare(Expression a, Relation relation, const Expression& b)
-  {
-    a -= b;
-    return Constraint{std::move(a.m_polynomial), relation, std::move(a.m_domains)};
-  }
-};
-
-/*!
-\ingroup PkgSplineConstraintsDFunctions
-
 An unknown number in a given range: the \f$i\f$-th of those that one call of `unknowns()` made.
 */
 class Unknown
   : public Expression
 {
-  std::size_t m_index;
+  int m_index;
 
 public:
-  //! the unknown of an index.
-  //! \throws Invalid_input when the list has no such entry.
-  Unknown(std::shared_ptr<const Unknown_domains> domains, std::size_t index)
-    : Expression(Power_polynomial::variable(static_cast<int>(index)), std::move(domains)), m_index(index)
+#ifndef DOXYGEN_RUNNING
+  // Throws when the table has no such unknown.
+  Unknown(std::shared_ptr<internal::Symbol_table> symbols, int index)
+    : Expression(Power_polynomial::variable(index), Monomial(), std::move(symbols)), m_index(index)
   {
-    if (this->domains() == nullptr || index >= this->domains()->size())
+    if (this->symbols() == nullptr || !this->symbols()->is_unknown(index))
       throw Invalid_input("Unknown: no range for index " + std::to_string(index));
   }
+#endif
 
   //! its place among the unknowns that were made together.
-  int index() const { return static_cast<int>(m_index); }
+  int index() const { return m_index; }
 
   //! its range.
-  const std::pair<Exact_rational, Exact_rational>& domain() const { return (*domains())[m_index]; }
+  const std::pair<Exact_rational, Exact_rational>& domain() const { return symbols()->domains()[m_index]; }
 };
 
 /*!
@@ -196,15 +79,16 @@ inline std::vector<Unknown> unknowns(const std::vector<std::array<Bound, 2>>& ra
 {
   if (ranges.empty())
     throw Invalid_input("unknowns: no ranges");
-  auto domains = std::make_shared<Unknown_domains>();
+  Unknown_domains domains;
   for (const auto& [lower, upper] : ranges) {
     if (upper.value() < lower.value())
-      throw Invalid_input("unknowns: the range of unknown " + std::to_string(domains->size()) + " is empty");
-    domains->emplace_back(lower.value(), upper.value());
+      throw Invalid_input("unknowns: the range of unknown " + std::to_string(domains.size()) + " is empty");
+    domains.emplace_back(lower.value(), upper.value());
   }
+  const auto symbols = std::make_shared<internal::Symbol_table>(std::move(domains));
   std::vector<Unknown> result;
   for (std::size_t i = 0; i < ranges.size(); ++i)
-    result.emplace_back(domains, i);
+    result.emplace_back(symbols, static_cast<int>(i));
   return result;
 }
 

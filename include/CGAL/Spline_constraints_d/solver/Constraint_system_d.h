@@ -4,9 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CONSTRAINT_SYSTEM_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CONSTRAINT_SYSTEM_D_H
 
+#include <CGAL/Spline_constraints_d/function/Constraint.h>
 #include <CGAL/Spline_constraints_d/function/Relation.h>
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +85,24 @@ public:
       m_equalities.push_back(std::move(function));
     else
       m_inequalities.push_back({std::move(function), relation});
+  }
+
+  /*!
+  adds a constraint written as a formula, and its conditions, those that the system does not have yet: a zero of what a formula is divided by is no solution of it.
+  \throws Invalid_input as the other function, as `Constraint::spline_function()`, and when an unknown has a larger domain in the system than its range in the formula, which
+  proofs about divisors rely on.
+  */
+  void add(const Constraint& constraint)
+  {
+    for (int i = 0; constraint.domains != nullptr && i < dimension() && i < static_cast<int>(constraint.domains->size()); ++i)
+      if (const Domain& range = (*constraint.domains)[i]; domain(i).first < range.first || range.second < domain(i).second)
+        throw Invalid_input("Constraint_system_d: unknown " + std::to_string(i) + " of a formula ranges beyond its own range");
+    add(constraint.spline_function(), constraint.relation);
+    for (Spline_function& condition : constraint.condition_functions()) {
+      const auto is_condition = [&](const Inequality& known) { return known.relation == Relation::NOT_EQUAL && known.function.terms() == condition.terms(); };
+      if (std::none_of(m_inequalities.begin(), m_inequalities.end(), is_condition))
+        add(std::move(condition), Relation::NOT_EQUAL);
+    }
   }
 
   //! number of unknowns.

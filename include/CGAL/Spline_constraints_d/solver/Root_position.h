@@ -27,6 +27,7 @@ inline bool is_certainly_violated(Relation relation, double lower, double upper)
   case Relation::LESS: return lower >= 0;
   case Relation::LESS_EQUAL: return lower > 0;
   case Relation::GREATER_EQUAL: return upper < 0;
+  case Relation::NOT_EQUAL: return lower == 0 && upper == 0;
   case Relation::GREATER: break;
   }
   return upper <= 0;
@@ -40,6 +41,7 @@ inline bool is_certainly_satisfied(Relation relation, double lower, double upper
   case Relation::LESS: return upper < 0;
   case Relation::LESS_EQUAL: return upper <= 0;
   case Relation::GREATER_EQUAL: return lower >= 0;
+  case Relation::NOT_EQUAL: return lower > 0 || upper < 0;
   case Relation::GREATER: break;
   }
   return lower > 0;

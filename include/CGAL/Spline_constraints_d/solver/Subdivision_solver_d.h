@@ -99,20 +99,21 @@ Solution_set_d<double> solve(const Constraint_system_d& system, const Solver_opt
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
-the system of constraints between the unknowns of one call of `unknowns()`.
-\throws Invalid_input when the constraints use unknowns of different calls, or none.
+the system of constraints between the unknowns of one call of `unknowns()`, with their conditions.
+\throws Invalid_input when the constraints use unknowns of different calls, or none; and as `Constraint::spline_function()`.
 */
 inline Constraint_system_d make_system(std::span<const Constraint> constraints)
 {
   Constraint_system_d system(common_domains(constraints));
   for (const Constraint& constraint : constraints)
-    system.add(constraint.function, constraint.relation);
+    system.add(constraint);
   return system;
 }
 
 /*!
 \ingroup PkgSplineConstraintsDSolver
 all solutions of constraints written as formulas: `solve(x*x + y*y == 2, x*y == 1)`.
+\throws Invalid_input as `make_system()` and `Subdivision_solver_d`.
 */
 template <std::same_as<Constraint>... Constraints>
 Solution_set_d<double> solve(const Constraint& first, const Constraints&... others)

@@ -88,6 +88,8 @@ inline bool is_admissible(const Constraint_system_d& system, const Box& box, boo
     };
     if (!is_admitted(range.lower) || !is_admitted(range.upper))
       return false;
+    if (inequality.relation == Relation::NOT_EQUAL && CGAL::sign(range.lower) != CGAL::sign(range.upper))   // the only relation that does not hold for what is between
+      return false;
   }
   return true;
 }

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SYMBOL_TABLE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SYMBOL_TABLE_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+
+The closed ranges of all unknowns that were made by one call of `unknowns()`, in their order.
+*/
+using Unknown_domains = std::vector<std::pair<Exact_rational, Exact_rational>>;
+
+namespace internal {
+
+/*
+What the indices in the polynomial of a formula mean. The first are the unknowns with a range; then come, in the order of their first use, splines of unknowns, formulas that
+something was divided by, and unknowns without a range.
+*/
+struct Symbol
+{
+  enum class Kind { UNKNOWN, SPLINE, FORMULA, WITHOUT_RANGE };
+  Kind kind = Kind::UNKNOWN;
+  std::vector<int> unknowns;                       // that a spline depends on, one for each of its axes
+  std::shared_ptr<const Integer_spline> spline;    // in the ranges of these unknowns
+  std::shared_ptr<const Integer_spline> source;    // what the spline was made of
+  std::vector<int> source_unknowns;
+  Power_polynomial formula;                        // in symbols of smaller index
+  int sign = 0;                                    // +1 or -1 where this is proved on the whole domain
+};
+
+/*
+The symbols of all formulas in the unknowns of one call of `unknowns()`. Equal ones are entered once, which makes common factors and common subexpressions visible. Entries
+never change, so references to them stay valid; threads may use a table at the same time.
+*/
+class Symbol_table
+{
+  const Unknown_domains m_domains;
+  mutable std::mutex m_mutex;
+  std::deque<Symbol> m_symbols;
+
+public:
+  explicit Symbol_table(Unknown_domains domains)
+    : m_domains(std::move(domains))
+  {
+    for (const auto& [lower, upper] : m_domains)
+      add(Symbol::Kind::UNKNOWN).sign = lower > 0 ? 1 : upper < 0 ? -1 : 0;
+  }
+
+  const Unknown_domains& domains() const { return m_domains; }
+
+  bool is_unknown(int index) const { return static_cast<std::size_t>(index) < m_domains.size(); }
+
+  const Symbol& operator[](int index) const
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return m_symbols[index];
+  }
+
+  int size() const
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    return static_cast<int>(m_symbols.size());
+  }
+
+  // A spline with an unknown for each of its axes, whose ranges lie within its domain: a symbol, or a constant. `sign`, unless 0, was proved of it.
+  Power_polynomial spline_of_unknowns(const std::shared_ptr<const Integer_spline>& source, const std::vector<int>& unknowns, int sign)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    const auto position = std::find_if(m_symbols.begin(), m_symbols.end(), [&](const Symbol& s) { return s.source == source && s.source_unknowns == unknowns && s.sign == sign; });
+    if (position != m_symbols.end())
+      return Power_polynomial::variable(static_cast<int>(position - m_symbols.begin()));
+
+    Integer_spline restricted = *source;
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      restricted = restricted.restricted(static_cast<int>(j), m_domains[unknowns[j]].first, m_domains[unknowns[j]].second);
+    if (restricted.is_constant())
+      return restricted.constant();
+    auto [axes, spline] = restricted.without_trivial_axes();
+    std::vector<int> own_unknowns;
+    for (int axis : axes)
+      own_unknowns.push_back(unknowns[axis]);
+    for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
+      if (m_symbols[i].kind == Symbol::Kind::SPLINE && m_symbols[i].unknowns == own_unknowns && m_symbols[i].sign == sign && *m_symbols[i].spline == spline)
+        return Power_polynomial::variable(static_cast<int>(i));
+    Symbol& symbol = add(Symbol::Kind::SPLINE);
+    symbol.unknowns = std::move(own_unknowns);
+    symbol.spline = std::make_shared<const Integer_spline>(std::move(spline));
+    symbol.source = source;
+    symbol.source_unknowns = unknowns;
+    symbol.sign = sign;
+    return Power_polynomial::variable(static_cast<int>(m_symbols.size()) - 1);
+  }
+
+  int enter_formula(const Power_polynomial& formula)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    for (std::size_t i = m_domains.size(); i < m_symbols.size(); ++i)
+      if (m_symbols[i].kind == Symbol::Kind::FORMULA && m_symbols[i].formula == formula)
+        return static_cast<int>(i);
+    add(Symbol::Kind::FORMULA).formula = formula;
+    return static_cast<int>(m_symbols.size()) - 1;
+  }
+
+  int enter_unknown_without_range()
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    add(Symbol::Kind::WITHOUT_RANGE);
+    return static_cast<int>(m_symbols.size()) - 1;
+  }
+
+  // The polynomial with formulas in place of the symbols that stand for them.
+  Power_polynomial without_formulas(Power_polynomial polynomial) const
+  {
+    for (;;) {
+      const std::vector<int> symbols = polynomial.variables();
+      const auto last = std::find_if(symbols.rbegin(), symbols.rend(), [&](int s) { return (*this)[s].kind == Symbol::Kind::FORMULA; });
+      if (last == symbols.rend())
+        return polynomial;
+      polynomial = polynomial.substituted(*last, (*this)[*last].formula);
+    }
+  }
+
+  bool has_only_unknowns(const Power_polynomial& polynomial) const
+  {
+    const std::vector<int> symbols = polynomial.variables();
+    return symbols.empty() || is_unknown(symbols.back());
+  }
+
+  // The value at a point. Throws when a symbol has none.
+  Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const
+  {
+    if (point.size() != m_domains.size())
+      throw Invalid_input("Expression: a point with " + std::to_string(point.size()) + " coordinates for " + std::to_string(m_domains.size()) + " unknowns");
+    std::vector<std::optional<Exact_rational>> known(point.begin(), point.end());
+    known.resize(size());
+    return value(polynomial, known);
+  }
+
+private:
+  Symbol& add(Symbol::Kind kind)
+  {
+    Symbol& result = m_symbols.emplace_back();
+    result.kind = kind;
+    return result;
+  }
+
+  Exact_rational value(const Power_polynomial& polynomial, std::vector<std::optional<Exact_rational>>& known) const
+  {
+    const std::vector<int> symbols = polynomial.variables();
+    std::vector<Exact_rational> values(symbols.empty() ? 0 : symbols.back() + 1, Exact_rational(0));
+    for (int s : symbols) {
+      if (!known[s])
+        known[s] = value_of_symbol(s, known);
+      values[s] = *known[s];
+    }
+    return polynomial(values);
+  }
+
+  Exact_rational value_of_symbol(int index, std::vector<std::optional<Exact_rational>>& known) const
+  {
+    const Symbol& symbol = (*this)[index];
+    if (symbol.kind == Symbol::Kind::WITHOUT_RANGE)
+      throw Invalid_input("Expression: an unknown without a range has no value");
+    if (symbol.kind == Symbol::Kind::FORMULA)
+      return value(symbol.formula, known);
+    std::vector<Exact_rational> parameters;
+    for (int u : symbol.unknowns)
+      parameters.push_back(*known[u]);
+    return (*symbol.spline)(parameters);
+  }
+};
+
+// The symbols of two formulas, at least one of which may have none. Throws when they have different ones.
+inline const std::shared_ptr<Symbol_table>& common_symbols(const std::shared_ptr<Symbol_table>& a, const std::shared_ptr<Symbol_table>& b)
+{
+  if (a != nullptr && b != nullptr && a != b)
+    throw Invalid_input("Expression: unknowns from different calls of unknowns() in one formula");
+  return a == nullptr ? b : a;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SYMBOL_TABLE_H
