@@ -80,8 +80,8 @@ public:
   }
 
   /*!
-  the surface of control points and knots that are periodic along the axes marked in `is_periodic`, unwrapped along them as by `Bspline_curve::from_periodic()`: a periodic axis with
-  \f$n\f$ control points has \f$n+1\f$ knots.
+  the surface of control points and knots that are periodic along the axes marked in `is_periodic`, unwrapped along them as by `Bspline_curve::from_periodic()`: a
+  periodic axis with \f$n\f$ control points has \f$n+1\f$ knots.
   \throws Invalid_input as `Bspline_curve::from_periodic()`.
   */
   static Bspline_surface_3 from_periodic(const std::array<int, 2>& degrees, const std::array<std::vector<FT>, 2>& knots, const std::vector<Point>& points,
