@@ -62,9 +62,9 @@ public:
   the surface of these control points, rational if there are weights.
   \throws Invalid_input as the constructor of `Bspline_curve`.
   */
-  Bspline_surface_3(const std::array<int, 2>& degrees, const std::array<std::vector<FT>, 2>& knots, const std::vector<Point>& points,
+  Bspline_surface_3(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u, const std::vector<FT>& knots_v, const std::vector<Point>& points,
                     const std::vector<FT>& weights = {})
-    : Base(Representation({degrees[0], degrees[1]}, {Base::numbers(knots[0]), Base::numbers(knots[1])}, Base::coordinates(points), Base::numbers(weights),
+    : Base(Representation({degrees[0], degrees[1]}, {Base::numbers(knots_u), Base::numbers(knots_v)}, Base::coordinates(points), Base::numbers(weights),
                           "Bspline_surface_3"))
   {}
 
@@ -84,20 +84,20 @@ public:
   periodic axis with \f$n\f$ control points has \f$n+1\f$ knots.
   \throws Invalid_input as `Bspline_curve::from_periodic()`.
   */
-  static Bspline_surface_3 from_periodic(const std::array<int, 2>& degrees, const std::array<std::vector<FT>, 2>& knots, const std::vector<Point>& points,
-                                         const std::array<bool, 2>& is_periodic, const std::vector<FT>& weights = {})
+  static Bspline_surface_3 from_periodic(const std::array<int, 2>& degrees, const std::vector<FT>& knots_u, const std::vector<FT>& knots_v,
+                                         const std::vector<Point>& points, const std::array<bool, 2>& is_periodic, const std::vector<FT>& weights = {})
   {
-    std::vector<std::vector<NT>> all_knots;
+    std::vector<std::vector<NT>> all_knots{Base::numbers(knots_u), Base::numbers(knots_v)};
     std::array<std::size_t, 2> given, unwrapped;
     for (int j = 0; j < 2; ++j) {
-      all_knots.push_back(Base::numbers(knots[j]));
+      const std::size_t number_of_knots = all_knots[j].size();
       if (is_periodic[j])
         all_knots[j] = internal::unwrapped_knots(degrees[j], all_knots[j], "Bspline_surface_3: axis " + std::to_string(j));
       const std::size_t order = static_cast<std::size_t>((std::max)(degrees[j], 0)) + 1;
       if (all_knots[j].size() < 2 * order)
         throw Invalid_input("Bspline_surface_3: axis " + std::to_string(j) + " has too few knots");
       unwrapped[j] = all_knots[j].size() - order;
-      given[j] = is_periodic[j] ? knots[j].size() - 1 : unwrapped[j];
+      given[j] = is_periodic[j] ? number_of_knots - 1 : unwrapped[j];
     }
     internal::check_count(points.size(), given[0] * given[1], "Bspline_surface_3: control points");
     if (!weights.empty())

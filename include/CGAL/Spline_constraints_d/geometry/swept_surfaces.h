@@ -46,8 +46,7 @@ template <SplineKernel Kernel>
 Bspline_surface_3<Kernel> bilinear_surface(const CGAL::Point_3<Kernel>& p00, const CGAL::Point_3<Kernel>& p01, const CGAL::Point_3<Kernel>& p10,
                                            const CGAL::Point_3<Kernel>& p11)
 {
-  const std::vector<typename Kernel::FT> knots{0, 0, 1, 1};
-  return Bspline_surface_3<Kernel>({1, 1}, {knots, knots}, {p00, p01, p10, p11});
+  return Bspline_surface_3<Kernel>({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, {p00, p01, p10, p11});
 }
 
 //! the parallelogram \f$p + u a + v b\f$ over \f$[0,1]^2\f$. Exact where the kernel is.
