@@ -35,27 +35,60 @@ inline std::optional<Exact_rational> rational_square_root(const Exact_rational& 
 }
 
 /*
-Rational numbers a <= b with a^2 + b^2 = x, where there are any: n/d is a sum of two rational squares exactly if the integer n d is one of two integer squares. These are
-searched for in order, up to a limit; `is_complete` tells whether the search says something about all numbers.
+Rational numbers whose squares add up to x, where there are any, ascending: n/d is a sum of m rational squares exactly if the integer n d is one of m integer squares, for
+m = 2 and 3 (Davenport and Cassels). These are searched for in order, up to a limit; `is_complete` tells whether the search says something about all numbers.
 */
-struct Sum_of_two_squares
+template <int number_of_squares>
+struct Sum_of_squares
 {
-  std::optional<std::array<Exact_rational, 2>> terms;
+  std::optional<std::array<Exact_rational, number_of_squares>> roots;
   bool is_complete;
 };
 
-inline Sum_of_two_squares sum_of_two_squares(const Exact_rational& x)
+// The least integer a >= 0 with a^2 <= n / 2 and n - a^2 a square, up to a limit; -1 if there is none. `is_complete` becomes false where the limit ends the search.
+inline int least_of_two_squares(const Big_integer& n, int limit, bool& is_complete)
 {
-  constexpr int limit = 1 << 17;
-  const Big_integer denominator = denominator_of(x), n = numerator_of(x) * denominator;
   for (int a = 0; a < limit; ++a) {
     const Big_integer square = Big_integer(a) * a;
     if (square + square > n)
-      return {std::nullopt, true};
-    if (const std::optional<Big_integer> b = integer_square_root(Big_integer(n - square)))
-      return {{{quotient(Big_integer(a), denominator), quotient(*b, denominator)}}, true};
+      return -1;
+    if (integer_square_root(Big_integer(n - square)))
+      return a;
   }
-  return {std::nullopt, false};
+  is_complete = false;
+  return -1;
+}
+
+inline Sum_of_squares<2> sum_of_two_squares(const Exact_rational& x)
+{
+  constexpr int limit = 1 << 17;
+  const Big_integer denominator = denominator_of(x), n = numerator_of(x) * denominator;
+  Sum_of_squares<2> result{std::nullopt, true};
+  if (const int a = least_of_two_squares(n, limit, result.is_complete); a >= 0) {
+    const Big_integer b = boost::multiprecision::sqrt(Big_integer(n - Big_integer(a) * a));
+    result.roots = {quotient(Big_integer(a), denominator), quotient(b, denominator)};
+  }
+  return result;
+}
+
+inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
+{
+  constexpr int limit = 1 << 10;
+  const Big_integer denominator = denominator_of(x), n = numerator_of(x) * denominator;
+  Sum_of_squares<3> result{std::nullopt, true};
+  for (int c = 0; Big_integer(c) * c <= n; ++c) {
+    if (c == limit) {
+      result.is_complete = false;
+      break;
+    }
+    const Big_integer rest = n - Big_integer(c) * c;
+    if (const int a = least_of_two_squares(rest, limit, result.is_complete); a >= 0) {
+      const Big_integer b = boost::multiprecision::sqrt(Big_integer(rest - Big_integer(a) * a));
+      result.roots = {quotient(Big_integer(c), denominator), quotient(Big_integer(a), denominator), quotient(b, denominator)};
+      return result;
+    }
+  }
+  return result;
 }
 
 // A positive number near 1 / sqrt(x), of few digits unless it is the root exactly.

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "geometry_test_tools.h"
+
+#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using FT = Exact_rational;
+using K = CGAL::Epeck;
+using E = Exact_cartesian;
+
+TEST(Rational_roots, are_found_where_there_are_any)
+{
+  using namespace SC::internal;
+  EXPECT_EQ(rational_square_root(FT(49) / FT(4)), FT(7) / FT(2));
+  EXPECT_EQ(rational_square_root(FT(0)), FT(0));
+  EXPECT_FALSE(rational_square_root(FT(2)));
+  EXPECT_FALSE(rational_square_root(FT(-4)));
+  for (int n = 1; n <= 200; ++n)
+    for (int d = 1; d <= 5; ++d) {
+      const auto two = sum_of_two_squares(FT(n) / FT(d));
+      const auto three = sum_of_three_squares(FT(n) / FT(d));
+      ASSERT_TRUE(two.is_complete && three.is_complete);
+      // Fermat and Legendre, for the integer n d.
+      int rest = n * d;
+      bool is_sum_of_two = true;
+      for (int p = 2; p * p <= rest; ++p) {
+        int power = 0;
+        for (; rest % p == 0; rest /= p)
+          ++power;
+        is_sum_of_two = is_sum_of_two && (p % 4 != 3 || power % 2 == 0);
+      }
+      is_sum_of_two = is_sum_of_two && rest % 4 != 3;
+      int odd = n * d;
+      while (odd % 4 == 0)
+        odd /= 4;
+      EXPECT_EQ(two.roots.has_value(), is_sum_of_two) << n << '/' << d;
+      EXPECT_EQ(three.roots.has_value(), odd % 8 != 7) << n << '/' << d;
+      if (two.roots) {
+        const auto& [a, b] = *two.roots;
+        EXPECT_EQ(a * a + b * b, FT(n) / FT(d));
+      }
+      if (three.roots) {
+        const auto& [a, b, c] = *three.roots;
+        EXPECT_EQ(a * a + b * b + c * c, FT(n) / FT(d));
+      }
+    }
+  const FT x = FT(12345678) / FT(997), near = near_inverse_root(x);
+  EXPECT_TRUE(FT(3) / 4 < near * near * x && near * near * x < FT(4) / 3);
+  EXPECT_EQ(near_inverse_root(FT(9) / FT(4)), FT(2) / FT(3));
+}
+
+TEST(To_bspline_curve, converts_objects_of_kernels)
+{
+  const auto circle = SC::to_bspline_curve(K::Circle_2({0, 0}, 4));
+  EXPECT_EQ(circle(1), K::Point_2(0, 2));
+  EXPECT_EQ(CGAL::squared_distance(circle(0.3), K::Point_2(0, 0)), 4);
+  const auto backwards = SC::to_bspline_curve(E::Circle_2({1, 1}, 5, CGAL::CLOCKWISE));
+  EXPECT_EQ(backwards.squared_curvature(FT(1) / 3), FT(1) / 5);
+  EXPECT_LT(backwards.curvature(FT(1) / 3), 0);
+  const auto rounded = SC::to_bspline_curve(CGAL::Epick::Circle_2({0, 0}, 3));
+  EXPECT_NEAR(CGAL::squared_distance(rounded(0.3), CGAL::Epick::Point_2(0, 0)), 3, 1e-14);
+  expect_invalid([] { SC::to_bspline_curve(K::Circle_2({0, 0}, 3)); }, "there is no point");
+  expect_invalid([] { SC::to_bspline_curve(K::Circle_2({0, 0}, 0)); }, "not positive");
+  expect_invalid([] { SC::to_bspline_curve(E::Circle_2({0, 0}, FT(3) * FT(0x1p80))); }, "was found");
+
+  EXPECT_EQ(SC::to_bspline_curve(K::Segment_2({0, 0}, {1, 2}))(0.5), K::Point_2(0.5, 1));
+  EXPECT_EQ(SC::to_bspline_curve(CGAL::Epick::Segment_3({0, 0, 0}, {1, 2, 4}))(0.5), CGAL::Epick::Point_3(0.5, 1, 2));
+  const auto triangle = SC::to_bspline_curve(K::Triangle_2({0, 0}, {1, 0}, {0, 1}));
+  EXPECT_TRUE(triangle.is_closed());
+  EXPECT_EQ(triangle(1.5), K::Point_2(0.5, 0.5));
+  const auto rectangle = SC::to_bspline_curve(K::Iso_rectangle_2({0, 0}, {2, 1}));
+  EXPECT_TRUE(rectangle.is_closed());
+  EXPECT_EQ(rectangle(2), K::Point_2(2, 1));
+  CGAL::Polygon_2<CGAL::Epick> polygon;
+  expect_invalid([&] { SC::to_bspline_curve(polygon); }, "no vertices");
+  for (const CGAL::Epick::Point_2& p : {CGAL::Epick::Point_2(0, 0), {4, 0}, {4, 4}, {1, 5}, {0, 2}})
+    polygon.push_back(p);
+  const auto boundary = SC::to_bspline_curve(polygon);
+  EXPECT_TRUE(boundary.is_closed());
+  EXPECT_EQ(boundary.domain().second, 5);
+  EXPECT_EQ(boundary(3.5), CGAL::Epick::Point_2(0.5, 3.5));
+}
+
+TEST(To_bspline_surface, converts_objects_of_kernels)
+{
+  for (const CGAL::Orientation orientation : {CGAL::COUNTERCLOCKWISE, CGAL::CLOCKWISE}) {
+    const auto sphere = SC::to_bspline_surface(E::Sphere_3({1, 2, 3}, 3, orientation));
+    EXPECT_EQ(CGAL::squared_distance(sphere(FT(1) / 3, FT(2) / 7), E::Point_3(1, 2, 3)), 3);
+    const FT side = sphere.normal(FT(1) / 3, FT(2) / 7) * (sphere(FT(1) / 3, FT(2) / 7) - E::Point_3(1, 2, 3));
+    EXPECT_EQ(side > 0, orientation == CGAL::COUNTERCLOCKWISE);
+  }
+  expect_invalid([] { SC::to_bspline_surface(K::Sphere_3({0, 0, 0}, 7)); }, "there is no point");
+  const auto rounded = SC::to_bspline_surface(CGAL::Epick::Sphere_3({0, 0, 0}, 7));
+  EXPECT_NEAR(CGAL::squared_distance(rounded(0.3, 0.4), CGAL::Epick::Point_3(0, 0, 0)), 7, 1e-13);
+
+  const auto triangle = SC::to_bspline_surface(K::Triangle_3({0, 0, 0}, {1, 0, 0}, {0, 1, 1}));
+  EXPECT_EQ(triangle(1, 0.5), K::Point_3(0.5, 0.5, 0.5));
+  EXPECT_EQ(triangle(0, 0.5), K::Point_3(0, 0, 0));
+
+  const auto faces = SC::to_bspline_surfaces(CGAL::Epick::Iso_cuboid_3({0, 0, 0}, {1, 2, 3}));
+  const CGAL::Epick::Point_3 middle(0.5, 1, 1.5);
+  std::vector<CGAL::Epick::Point_3> centers;
+  for (const auto& face : faces) {
+    centers.push_back(face(0.5, 0.5));
+    EXPECT_GT(face.normal(0.5, 0.5) * (centers.back() - middle), 0);
+  }
+  EXPECT_EQ(centers, (std::vector<CGAL::Epick::Point_3>{{0, 1, 1.5}, {1, 1, 1.5}, {0.5, 0, 1.5}, {0.5, 2, 1.5}, {0.5, 1, 0}, {0.5, 1, 3}}));
+}
+
+} // namespace
