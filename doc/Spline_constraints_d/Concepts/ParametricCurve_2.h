@@ -5,8 +5,8 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `ParametricCurve_2` describes a rational curve in the plane, piecewise so on a range of parameters, as geometric operations need it: its homogeneous coordinates are what constraints are made of, and
-evaluation turns parameters that were found into points.
+The concept `ParametricCurve_2` describes a rational curve in the plane, piecewise so on a range of parameters, as geometric operations need it: its homogeneous
+coordinates are what constraints are made of, and evaluation turns parameters that were found into points.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Spline_constraints::Bspline_curve<Kernel,2>}
@@ -22,7 +22,8 @@ public:
   static constexpr int number_of_parameters = 1;
 
   /*!
-  the numerators of the coordinates, as exact splines of the parameters. Their domains are that of the curve, those of all and of the weight are the same; degrees and knots may differ.
+  the numerators of the coordinates, as exact splines of the parameters. Their domains are that of the curve, those of all and of the weight are the same; degrees and
+  knots may differ.
   */
   std::array<Bspline_function<Exact_rational>, 2> homogeneous_coordinates() const;
 

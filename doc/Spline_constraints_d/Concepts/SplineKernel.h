@@ -5,7 +5,7 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `SplineKernel` describes a kernel of \cgal whose number type holds rational numbers and can say which. Curves and surfaces take their points, vectors and affine maps from it.
+The concept `SplineKernel` describes a kernel of CGAL whose number type holds rational numbers and can say which. Curves and surfaces take their points, vectors and affine maps from it.
 
 Coordinates are taken exactly. Those of points that are computed are exact where the number type is, else the doubles of a computation in doubles.
 
@@ -24,7 +24,7 @@ public:
   //! a floating point type, a type that converts to `Exact_rational` and back without error, or one whose member `exact()` does.
   typedef unspecified_type FT;
 
-  //! points, vectors and affine maps in the plane, as in the concept `Kernel` of \cgal.
+  //! points, vectors and affine maps in the plane, as in the concept `Kernel` of CGAL.
   typedef unspecified_type Point_2;
   typedef unspecified_type Vector_2;
   typedef unspecified_type Aff_transformation_2;

@@ -90,7 +90,7 @@ Object kernel_object(const std::array<NT, d>& coordinates)
 /*!
 \ingroup PkgSplineConstraintsDConcepts
 
-The language form of the concept documented as \link SplineKernel `SplineKernel`\endlink: a kernel of \cgal whose coordinates are rational numbers, be they stored as
+The language form of the concept documented as \link SplineKernel `SplineKernel`\endlink: a kernel of CGAL whose coordinates are rational numbers, be they stored as
 floating point numbers, as exact rationals, or lazily.
 */
 template <class Kernel>

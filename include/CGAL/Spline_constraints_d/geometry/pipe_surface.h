@@ -88,7 +88,7 @@ the pipe around a spine: the surface of the circles in its normal planes, swept 
 \f$[0,4]\f$; axis 1 is that of the spine. Points of the curve `normal` stand for the vectors from the origin to them; these have to be at a right angle to the spine and
 of one length, the radius, everywhere.
 
-All pipes of rational spines are rational (Peternell and Pottmann, 1997), but over the rational numbers only where such a normal can be given; it is all that is needed,
+All pipes of rational spines are rational \cgalCite{pp-crpcs-97}, but over the rational numbers only where such a normal can be given; it is all that is needed,
 since the turn is rational in the derivative of the spine, whatever its length. For a planar spine it is a constant. Exact where the kernel is. Where the radius is larger
 than the radius of curvature the pipe meets itself.
 \throws Invalid_input when the domains differ, the spine is not continuously differentiable or its derivative vanishes, or the normal is not at a right angle to it or not
