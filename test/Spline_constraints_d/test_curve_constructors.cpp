@@ -260,8 +260,9 @@ TEST(Cubic_interpolation, doubles_agree_with_exact_numbers)
   const Curve_2 exact = SC::cubic_interpolation_curve(exact_points);
   for (int i = 0; i <= 290; ++i) {
     const auto q = exact(FT(i) / FT(10));
-    EXPECT_NEAR(curve(0.1 * i > 29 ? 29 : 0.1 * i).x(), CGAL::to_double(q.x()), 1e-12);
-    EXPECT_NEAR(curve(0.1 * i > 29 ? 29 : 0.1 * i).y(), CGAL::to_double(q.y()), 1e-12);
+    const auto p = curve(i / 10.0);
+    EXPECT_NEAR(p.x(), SC::to_nearest_double(q.x()), 1e-12);
+    EXPECT_NEAR(p.y(), SC::to_nearest_double(q.y()), 1e-12);
   }
 }
 

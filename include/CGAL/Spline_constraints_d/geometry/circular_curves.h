@@ -21,22 +21,20 @@ namespace internal {
 
 // (numerators of vectors from the center) / weight, as a curve or surface around the center.
 template <class Object, int d, class Point>
-Object object_around(const Point& center, const Vector_function<d>& numerators, const Exact_function& weight)
+Object object_around(const Point& center, const Vector_function<d>& numerators, const Scalar_function& weight)
 {
-  const Vector_function<d> moved = numerators + constant_vector(domain_of(weight), center - CGAL::ORIGIN) * weight;
-  return Object::from_homogeneous_coordinates(moved.x, weight);
+  const Vector_function<d> moved = numerators + Vector_function<d>(weight.domain(), center - CGAL::ORIGIN) * weight;
+  return Object::from_homogeneous_coordinates(moved.functions(), weight.function());
 }
 
 // Center + a cos + b sin, in quarters.
 template <int d, class Point, class Vector>
 Bspline_curve<Exact_kernel, d> ellipse(const Point& center, const Vector& a, const Vector& b)
 {
-  const Half_round path(Exact_rational(1));
-  const Exact_box domain = domain_of(path.sigma);
-  const Exact_function square = path.tau * path.tau, weight = path.sigma * path.sigma + square;
-  const Vector_function<d> numerators =
-    constant_vector(domain, a) * (path.sigma * path.sigma - square) + constant_vector(domain, b) * (path.sigma * path.tau * Exact_rational(2));
-  return object_around<Bspline_curve<Exact_kernel, d>>(center, numerators, weight);
+  const Direction_path path = Direction_path::half_round(Exact_rational(1));
+  const Vector_function<d> from_a(path.domain(), a), from_b(path.domain(), b);
+  const Vector_function<d> numerators = from_a * (path.squared_sigma - path.squared_tau) + from_b * (path.sigma_tau * Exact_rational(2));
+  return object_around<Bspline_curve<Exact_kernel, d>>(center, numerators, path.squared_sigma + path.squared_tau);
 }
 
 inline bool are_parallel(const Exact_kernel::Vector_2& a, const Exact_kernel::Vector_2& b) { return a.x() * b.y() == a.y() * b.x(); }
@@ -160,11 +158,10 @@ Bspline_curve_3<Kernel> circle_curve(const CGAL::Point_3<Kernel>& center, const 
   const auto s = internal::exact_object(source) - c;
   if (internal::are_parallel(n, s))
     throw Invalid_input("circle_curve: the direction is zero or the source is on the axis");
-  const internal::Half_round path(internal::near_inverse_root(n.squared_length()));
-  const internal::Exact_box domain = internal::domain_of(path.sigma);
-  const auto axis = internal::constant_vector(domain, n);
+  const auto path = internal::Direction_path::half_round(internal::near_inverse_root(n.squared_length()));
+  const internal::Vector_function<3> axis(path.domain(), n), arm(path.domain(), s);
   return Bspline_curve_3<Kernel>(internal::object_around<Bspline_curve_3<internal::Exact_kernel>>(
-    c, internal::rotated(internal::constant_vector(domain, s), axis, path), internal::rotation_weight(axis, path)));
+    c, internal::rotated(arm, axis, path), internal::rotation_weight(axis, path)));
 }
 
 /// @}

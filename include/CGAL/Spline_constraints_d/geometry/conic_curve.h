@@ -97,16 +97,13 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
   const Vector conjugate(Exact_rational(-(conic.xy * tangent.x() + 2 * conic.yy * tangent.y())), Exact_rational(2 * conic.xx * tangent.x() + conic.xy * tangent.y()));
   const Exact_rational A = conic.form(tangent, tangent), B = conic.form(conjugate, conjugate);
 
-  const auto curve_on = [&](const Exact_function& sigma, const Exact_function& tau) {
-    const Exact_box domain = domain_of(sigma);
-    const Exact_function weight = sigma * sigma * A + tau * tau * B, factor = tau * Exact_rational(-2 * conic.linear(conjugate));
-    const Vector_function<2> numerators = constant_vector(domain, tangent) * (sigma * factor) + constant_vector(domain, conjugate) * (tau * factor);
-    return object_around<Bspline_curve_2<Exact_kernel>>(origin, numerators, weight);
+  const auto curve_on = [&](const Direction_path& path) {
+    const Vector_function<2> a(path.domain(), tangent), b(path.domain(), conjugate);
+    const Vector_function<2> numerators = (a * path.sigma_tau + b * path.squared_tau) * Scalar_function(path.domain(), Exact_rational(-2 * conic.linear(conjugate)));
+    return object_around<Bspline_curve_2<Exact_kernel>>(origin, numerators, path.squared_sigma * A + path.squared_tau * B);
   };
-  if (Exact_rational(A * B) > 0) {
-    const Half_round path(near_inverse_root(Exact_rational(B / A)));
-    return curve_on(path.sigma, path.tau);
-  }
+  if (Exact_rational(A * B) > 0)
+    return curve_on(Direction_path::half_round(near_inverse_root(Exact_rational(B / A))));
   // An open branch is seen from the origin in directions around the tangent: tau / sigma orders its points.
   Exact_rational first(0), last(0);
   for (const Vector& p : others) {
@@ -117,8 +114,7 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
     first = (std::min)(first, slope);
     last = (std::max)(last, slope);
   }
-  const std::vector<std::vector<Exact_rational>> knots{{first, first, last, last}};
-  return curve_on(Exact_function({1}, knots, {1, 1}), Exact_function({1}, knots, {first, last}));
+  return curve_on(Direction_path::line(first, last));
 }
 
 } // namespace internal

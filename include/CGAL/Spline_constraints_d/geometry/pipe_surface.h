@@ -57,25 +57,24 @@ inline Exact_surface pipe(const Exact_space_curve& spine, const Exact_space_curv
 {
   if (spine.domain() != normal.domain())
     throw Invalid_input(who + ": the spine and its normal have different domains");
-  const Vector_function<3> direction = direction_function(spine, who), m{normal.homogeneous_coordinates()};
-  const Exact_function squared_weight = normal.weight() * normal.weight();
+  const Vector_function<3> direction = direction_function(spine, who), m(normal.homogeneous_coordinates());
+  const Scalar_function squared_weight = Scalar_function(normal.weight()) * normal.weight();
   const Exact_rational begin = normal.domain().first;
   const Exact_rational squared_radius = (normal(begin) - CGAL::ORIGIN).squared_length();
   if (squared_radius == 0 || !(dot(m, m) == squared_weight * squared_radius))
     throw Invalid_input(who + ": the normal is zero or its length is not constant");
-  if (dot(m, direction).bounds() != std::pair(Exact_rational(0), Exact_rational(0)))
+  if (dot(m, direction).function().bounds() != std::pair(Exact_rational(0), Exact_rational(0)))
     throw Invalid_input(who + ": the normal is not at a right angle to the spine");
 
   const std::vector<Exact_rational> middle(1, Exact_rational((begin + normal.domain().second) / 2));
-  const Exact_rational squared_speed = dot(direction, direction)(middle);
-  const Half_round turn(squared_speed == 0 ? Exact_rational(1) : near_inverse_root(squared_speed));
-  const Exact_box domain{turn.sigma.domain(0), spine.weight().domain(0)};
-  const Half_round path = turn.on_axis(domain, 0);
+  const Exact_rational squared_speed = dot(direction, direction).function()(middle);
+  const Direction_path turn = Direction_path::half_round(squared_speed == 0 ? Exact_rational(1) : near_inverse_root(squared_speed));
+  const Exact_box domain{turn.domain()[0], spine.weight().domain(0)};
+  const Direction_path path = turn.on_axis(domain, 0);
   const Curve_on_axis<3> center(spine, domain, 1), arm(normal, domain, 1);
   const Vector_function<3> axis = direction.on_axis(domain, 1);
-  const Exact_function arm_weight = rotation_weight(axis, path) * arm.weight;
-  const Vector_function<3> numerators = center.numerators * arm_weight + rotated(arm.numerators, axis, path) * center.weight;
-  return Exact_surface::from_homogeneous_coordinates(numerators.x, center.weight * arm_weight);
+  const Scalar_function arm_weight = rotation_weight(axis, path) * arm.weight;
+  return quotient_surface(center.numerators * arm_weight + rotated(arm.numerators, axis, path) * center.weight, center.weight * arm_weight);
 }
 
 } // namespace internal

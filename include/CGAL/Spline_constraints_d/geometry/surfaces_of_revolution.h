@@ -23,12 +23,12 @@ inline Exact_surface revolved(const Exact_space_curve& profile, const Exact_kern
 {
   if (direction == CGAL::NULL_VECTOR)
     throw Invalid_input(who + ": the direction of the axis is zero");
-  const Half_round turn(near_inverse_root(direction.squared_length()));
-  const Exact_box domain{turn.sigma.domain(0), profile.weight().domain(0)};
-  const Half_round path = turn.on_axis(domain, 0);
+  const Direction_path turn = Direction_path::half_round(near_inverse_root(direction.squared_length()));
+  const Exact_box domain{turn.domain()[0], profile.weight().domain(0)};
+  const Direction_path path = turn.on_axis(domain, 0);
   const Curve_on_axis<3> curve(profile, domain, 1);
-  const Vector_function<3> axis = constant_vector(domain, direction);
-  const Vector_function<3> from_center = curve.numerators - constant_vector(domain, center - CGAL::ORIGIN) * curve.weight;
+  const Vector_function<3> axis(domain, direction);
+  const Vector_function<3> from_center = curve.numerators - Vector_function<3>(domain, center - CGAL::ORIGIN) * curve.weight;
   return object_around<Exact_surface>(center, rotated(from_center, axis, path), rotation_weight(axis, path) * curve.weight);
 }
 
@@ -42,11 +42,9 @@ inline Exact_kernel::Vector_3 perpendicular(const Exact_kernel::Vector_3& v)
 inline Exact_surface sphere(const Exact_kernel::Point_3& center, const Exact_kernel::Vector_3& pole)
 {
   const Exact_kernel::Vector_3 direction = perpendicular(pole);
-  const Half_round path = Half_round(near_inverse_root(direction.squared_length())).restricted(0, 2);
-  const Exact_box domain = domain_of(path.sigma);
-  const Vector_function<3> axis = constant_vector(domain, direction);
-  const Exact_space_curve meridian =
-    object_around<Exact_space_curve>(center, rotated(constant_vector(domain, -pole), axis, path), rotation_weight(axis, path));
+  const Direction_path path = Direction_path::half_round(near_inverse_root(direction.squared_length())).restricted(0, 2);
+  const Vector_function<3> axis(path.domain(), direction), arm(path.domain(), -pole);
+  const auto meridian = object_around<Exact_space_curve>(center, rotated(arm, axis, path), rotation_weight(axis, path));
   return revolved(meridian, center, pole, "sphere_surface");
 }
 

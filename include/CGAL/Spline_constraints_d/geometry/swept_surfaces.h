@@ -21,13 +21,18 @@ template <int d>
 struct Curve_on_axis
 {
   Vector_function<d> numerators;
-  Exact_function weight;
+  Scalar_function weight;
 
   template <class Curve>
   Curve_on_axis(const Curve& curve, const Exact_box& domain, int axis)
-    : numerators(Vector_function<d>{curve.homogeneous_coordinates()}.on_axis(domain, axis)), weight(curve.weight().embedded(domain, {axis}))
+    : numerators(Vector_function<d>(curve.homogeneous_coordinates()).on_axis(domain, axis)), weight(Scalar_function(curve.weight()).on_axis(domain, axis))
   {}
 };
+
+inline Exact_surface quotient_surface(const Vector_function<3>& numerators, const Scalar_function& weight)
+{
+  return Exact_surface::from_homogeneous_coordinates(numerators.functions(), weight.function());
+}
 
 template <class Curve_u, class Curve_v>
 Exact_box product_domain(const Curve_u& a, const Curve_v& b)
@@ -71,9 +76,8 @@ Bspline_surface_3<Kernel> ruled_surface(const Bspline_curve_3<Kernel>& first, co
   const internal::Exact_function rising({1}, {{0, 0, 1, 1}}, {0, 1});
   const internal::Exact_box domain{first.weight().domain(0), rising.domain(0)};
   const internal::Curve_on_axis<3> a(first, domain, 0), b(second, domain, 0);
-  const internal::Exact_function v = rising.embedded(domain, {1}), rest = Exact_rational(1) - v;
-  const internal::Vector_function<3> numerators = a.numerators * rest + b.numerators * v;
-  return Bspline_surface_3<Kernel>(internal::Exact_surface::from_homogeneous_coordinates(numerators.x, a.weight * rest + b.weight * v));
+  const internal::Scalar_function v = internal::Scalar_function(rising).on_axis(domain, 1), rest = internal::Scalar_function(domain, 1) - v;
+  return Bspline_surface_3<Kernel>(internal::quotient_surface(a.numerators * rest + b.numerators * v, a.weight * rest + b.weight * v));
 }
 
 /*!
@@ -87,10 +91,9 @@ Bspline_surface_3<Kernel> translational_surface(const Bspline_curve_3<Kernel>& p
 {
   const internal::Exact_box domain = internal::product_domain(profile, path);
   const internal::Curve_on_axis<3> c(profile, domain, 0), d(path, domain, 1);
-  const internal::Exact_function weight = c.weight * d.weight;
-  const auto shift = internal::constant_vector(domain, CGAL::ORIGIN - internal::exact_object(origin));
-  const internal::Vector_function<3> numerators = c.numerators * d.weight + d.numerators * c.weight + shift * weight;
-  return Bspline_surface_3<Kernel>(internal::Exact_surface::from_homogeneous_coordinates(numerators.x, weight));
+  const internal::Scalar_function weight = c.weight * d.weight;
+  const internal::Vector_function<3> shift(domain, CGAL::ORIGIN - internal::exact_object(origin));
+  return Bspline_surface_3<Kernel>(internal::quotient_surface(c.numerators * d.weight + d.numerators * c.weight + shift * weight, weight));
 }
 
 //! the surface \f$C(u) + v\,d\f$, \f$v \in [0,1]\f$: a general cylinder. Exact where the kernel is.
@@ -120,7 +123,7 @@ Bspline_surface_3<Kernel> swept_surface(const Bspline_curve_2<Kernel>& profile, 
   const internal::Exact_box domain = internal::product_domain(profile, spine);
   const internal::Curve_on_axis<2> p(profile, domain, 0);
   internal::Curve_on_axis<3> o(spine, domain, 1), a(first_axis, domain, 1), b(second_axis, domain, 1);
-  internal::Exact_function weight = o.weight;
+  internal::Scalar_function weight = o.weight;
   // Frames are often made of quotients by one weight.
   if (!(a.weight == o.weight && b.weight == o.weight)) {
     weight = o.weight * a.weight * b.weight;
@@ -129,7 +132,7 @@ Bspline_surface_3<Kernel> swept_surface(const Bspline_curve_2<Kernel>& profile, 
     b.numerators = b.numerators * (o.weight * a.weight);
   }
   const internal::Vector_function<3> numerators = o.numerators * p.weight + a.numerators * p.numerators.x[0] + b.numerators * p.numerators.x[1];
-  return Bspline_surface_3<Kernel>(internal::Exact_surface::from_homogeneous_coordinates(numerators.x, weight * p.weight));
+  return Bspline_surface_3<Kernel>(internal::quotient_surface(numerators, weight * p.weight));
 }
 
 /// @}
