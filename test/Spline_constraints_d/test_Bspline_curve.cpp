@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace {
 
@@ -322,6 +324,40 @@ TEST(Bspline_curve, doubles_stay_close_and_decide_exactly)
   const double above = std::nextafter(1.0, 2.0);
   EXPECT_FALSE(Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}) == Double_curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, above}}));
   EXPECT_FALSE(Double_curve_2(1, {0, 0, 1, 2, 2}, {{1, 0}, {3, 1}, {above, 0}}).is_closed());
+}
+
+TEST(Bspline_curve, rounded_knots_keep_their_order_and_their_pieces)
+{
+  std::mt19937_64 engine(10);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int made = 0, refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double begin = uniform(engine), end = begin + 1 + uniform(engine);
+    // Knots next to the ends, where images are rounded to and across them most easily.
+    const Double_curve_2 curve(1, {begin - 1, begin, std::nextafter(begin, 9.0), (begin + end) / 2, std::nextafter(end, -9.0), end, end + 0.3},
+                               {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}});
+    const double new_begin = uniform(engine), new_end = new_begin + 3 * (1 + uniform(engine));
+    const auto check = [&](const auto& operation, const Double_cartesian::Point_2& source, double first, double last) {
+      try {
+        const Double_curve_2 image = operation();
+        ++made;
+        EXPECT_TRUE(std::ranges::is_sorted(image.knots()));
+        EXPECT_EQ(image.breaks().size(), 5u);
+        EXPECT_EQ(image.domain(), std::pair(first, last));
+        EXPECT_EQ(image.source(), source);
+      } catch (const SC::Invalid_input& error) {
+        ++refused;
+        EXPECT_NE(std::string(error.what()).find("fall together"), std::string::npos) << error.what();
+      }
+    };
+    check([&] { return curve.with_domain(new_begin, new_end); }, curve.source(), new_begin, new_end);
+    check([&] { return curve.reversed(); }, curve.target(), begin, end);
+  }
+  EXPECT_GT(made, 20);
+  EXPECT_GT(refused, 20);
+  const FT third = FT(1) / FT(3);
+  const Curve_2 close(2, {0, 0, 0, third, third + FT(1e-30), 1, 1, 1}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}});
+  expect_invalid([&] { Double_curve_2 rounded(close); }, "fall together");
 }
 
 TEST(Bspline_curve, rejects_bad_input)

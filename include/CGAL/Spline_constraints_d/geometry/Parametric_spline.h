@@ -168,13 +168,14 @@ public:
   }
 
   //! the same points with an axis run backwards, on the same domain. Doubles: knots inside the domain are rounded.
+  //! \throws Invalid_input when rounded knots fall together.
   Derived reversed(int axis) const
   {
     return mapped([&](const auto& f) { return internal::reversed(f, axis); });
   }
 
   //! the same points with the domain of an axis mapped onto another. Doubles: knots inside the domain are rounded.
-  //! \throws Invalid_input when the range is empty or not finite.
+  //! \throws Invalid_input when the range is empty or not finite, or rounded knots fall together.
   Derived with_domain(int axis, const FT& begin, const FT& end) const
   {
     return mapped([&](const auto& f) { return internal::with_domain(f, axis, number(begin), number(end)); });

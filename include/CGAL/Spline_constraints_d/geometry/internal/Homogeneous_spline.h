@@ -137,6 +137,8 @@ public:
     std::vector<Bspline_function<Target>> functions;
     for (const Function& f : m_functions)
       functions.push_back(f.template converted<Target>([](const NT& x) { return converted_number<Target>(x); }));
+    for (int j = 0; j < dimension(); ++j)
+      check_number_of_pieces(m_functions[0], functions[0], j);
     return Homogeneous_spline<Target, d>(std::move(functions), who);
   }
 

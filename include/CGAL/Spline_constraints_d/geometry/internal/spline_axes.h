@@ -56,15 +56,44 @@ Bspline_function<NT> with_knots(const Bspline_function<NT>& f, int axis, std::ve
   return Bspline_function<NT>(f.degrees(), std::move(all), f.coefficients());
 }
 
-// The function u -> f(begin + end - u) on the same domain. The two ends stay what they are also where numbers are rounded.
+// Throws when knots that were rounded fell together: with the piece between them a part of a curve would be lost.
+template <class NT, class Other>
+void check_number_of_pieces(const Bspline_function<NT>& before, const Bspline_function<Other>& after, int axis)
+{
+  if (before.breaks(axis).size() != after.breaks(axis).size())
+    throw Invalid_input("knots of axis " + std::to_string(axis) + " fall together when they are rounded");
+}
+
+// The same values on another domain, reached by an affine change of the parameter. Where numbers are rounded, the ends of the domain are exact and knots stay in order.
+template <class NT>
+Bspline_function<NT> with_domain(const Bspline_function<NT>& f, int axis, const NT& new_begin, const NT& new_end)
+{
+  if (!(is_finite_number(new_begin) && is_finite_number(new_end) && new_begin < new_end))
+    throw Invalid_input("the new domain of axis " + std::to_string(axis) + " is empty or not finite");
+  const auto [begin, end] = f.domain(axis);
+  const NT factor = NT(new_end - new_begin) / NT(end - begin);
+  std::vector<NT> knots;
+  for (const NT& knot : f.knots(axis)) {
+    const NT image = new_begin + NT(factor * NT(knot - begin));
+    if (knot < begin)
+      knots.push_back((std::min)(image, new_begin));
+    else if (end < knot)
+      knots.push_back((std::max)(image, new_end));
+    else
+      knots.push_back(knot == begin ? new_begin : knot == end ? new_end : (std::min)(image, new_end));
+  }
+  Bspline_function<NT> result = with_knots(f, axis, std::move(knots));
+  check_number_of_pieces(f, result, axis);
+  return result;
+}
+
+// The function u -> f(begin + end - u) on the same domain: that of -u, moved back.
 template <class NT>
 Bspline_function<NT> reversed(const Bspline_function<NT>& f, int axis)
 {
-  const auto [begin, end] = f.domain(axis);
-  const NT sum = begin + end;
   std::vector<NT> knots;
   for (const NT& knot : f.knots(axis))
-    knots.push_back(knot == begin ? end : knot == end ? begin : NT(sum - knot));
+    knots.push_back(-knot);
   std::reverse(knots.begin(), knots.end());
 
   const Axis_view view = axis_view(control_extents(f), axis);
@@ -74,21 +103,8 @@ Bspline_function<NT> reversed(const Bspline_function<NT>& f, int axis)
       const auto row = f.coefficients().begin() + (o * (view.degree + 1) + k) * view.inner;
       coefficients.insert(coefficients.end(), row, row + view.inner);
     }
-  return with_coefficients(with_knots(f, axis, std::move(knots)), std::move(coefficients));
-}
-
-// The same values on another domain, reached by an affine change of the parameter. Exact at the two ends also where numbers are rounded.
-template <class NT>
-Bspline_function<NT> with_domain(const Bspline_function<NT>& f, int axis, const NT& new_begin, const NT& new_end)
-{
-  if (!(is_finite_number(new_begin) && is_finite_number(new_end) && new_begin < new_end))
-    throw Invalid_input("the new domain of axis " + std::to_string(axis) + " is empty or not finite");
   const auto [begin, end] = f.domain(axis);
-  const NT factor = NT(new_end - new_begin) / NT(end - begin);
-  std::vector<NT> knots;
-  for (const NT& knot : f.knots(axis))
-    knots.push_back(knot == begin ? new_begin : knot == end ? new_end : NT(new_begin + NT(factor * NT(knot - begin))));
-  return with_knots(f, axis, std::move(knots));
+  return with_domain(with_coefficients(with_knots(f, axis, std::move(knots)), std::move(coefficients)), axis, begin, end);
 }
 
 // f(v, u) of a function of two parameters.
