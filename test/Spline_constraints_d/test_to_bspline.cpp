@@ -93,6 +93,56 @@ TEST(To_bspline_curve, converts_objects_of_kernels)
   EXPECT_EQ(boundary(3.5), CGAL::Epick::Point_2(0.5, 3.5));
 }
 
+// A segment as a user's own curve.
+struct Own_segment
+{
+  using Kernel = K;
+  static constexpr int number_of_parameters = 1;
+
+  std::array<SC::Bspline_function<FT>, 3> homogeneous_coordinates() const
+  {
+    const SC::Bspline_function<FT> t({1}, {{1, 1, 2, 2}}, {1, 2});
+    return {t, t * FT(3), t - FT(1)};
+  }
+  SC::Bspline_function<FT> weight() const { return SC::Bspline_function<FT>({1}, {{1, 1, 2, 2}}, {-1, -2}); }
+  bool is_rational() const { return true; }
+  std::pair<K::FT, K::FT> domain(int) const { return {1, 2}; }
+  K::Point_3 operator()(const K::FT& t) const { return {-1, -3, (1 - t) / t}; }
+};
+
+TEST(To_bspline_curve, takes_any_model_of_the_concept)
+{
+  const Own_segment segment;
+  const SC::Bspline_curve_3<K> curve = SC::to_bspline_curve(segment);
+  EXPECT_EQ(curve(1.25), segment(1.25));
+  EXPECT_EQ(curve.control_weights(), (std::vector<K::FT>{1, 2}));
+  EXPECT_TRUE(SC::to_bspline_curve(curve) == curve);
+}
+
+TEST(To_bspline_surface, cuts_a_plane_to_a_cuboid)
+{
+  const E::Iso_cuboid_3 cuboid({0, 0, 0}, {1, 2, 3});
+  for (int a = -2; a <= 2; ++a)
+    for (int b = -2; b <= 2; ++b)
+      for (int c = -2; c <= 2; ++c) {
+        const E::Plane_3 plane(a, b, c, 1);
+        if (a == 0 && b == 0 && c == 0) {
+          expect_invalid([&] { SC::to_bspline_surface(plane, cuboid); }, "degenerate");
+          continue;
+        }
+        const auto patch = SC::to_bspline_surface(plane, cuboid);
+        EXPECT_TRUE(plane.has_on(patch(FT(1) / 3, FT(3) / 4)));
+        EXPECT_EQ(CGAL::cross_product(patch.normal(0, 0), plane.orthogonal_vector()), CGAL::NULL_VECTOR);
+        EXPECT_GT(patch.normal(0, 0) * plane.orthogonal_vector(), 0);
+        // Two of the coordinates run through the range of the cuboid.
+        const CGAL::Bbox_3 box = patch.bbox(), all = cuboid.bbox();
+        int complete = 0;
+        for (int i = 0; i < 3; ++i)
+          complete += (box.min)(i) <= (all.min)(i) && (all.max)(i) <= (box.max)(i);
+        EXPECT_GE(complete, 2);
+      }
+}
+
 TEST(To_bspline_surface, converts_objects_of_kernels)
 {
   for (const CGAL::Orientation orientation : {CGAL::COUNTERCLOCKWISE, CGAL::CLOCKWISE}) {

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_TO_BSPLINE_CURVE_H
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -118,6 +119,22 @@ Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Polygon_2<Kernel, Container
   if (polygon.is_empty())
     throw Invalid_input("to_bspline_curve: the polygon has no vertices");
   return internal::closed_polyline<Kernel>(polygon, polygon.size());
+}
+
+//! the B-spline form of another model of the concept, in its kernel. Exact where the kernel is.
+template <ParametricCurve_2 Curve>
+Bspline_curve_2<typename Curve::Kernel> to_bspline_curve(const Curve& curve)
+{
+  using Exact_curve = Bspline_curve_2<internal::Exact_kernel>;
+  return Bspline_curve_2<typename Curve::Kernel>(Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
+}
+
+//! the same in space.
+template <ParametricCurve_3 Curve>
+Bspline_curve_3<typename Curve::Kernel> to_bspline_curve(const Curve& curve)
+{
+  using Exact_curve = Bspline_curve_3<internal::Exact_kernel>;
+  return Bspline_curve_3<typename Curve::Kernel>(Exact_curve::from_homogeneous_coordinates(curve.homogeneous_coordinates(), curve.weight()));
 }
 
 /// @}

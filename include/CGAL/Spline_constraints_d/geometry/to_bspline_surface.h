@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_TO_BSPLINE_SURFACE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_TO_BSPLINE_SURFACE_H
 
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
@@ -57,6 +58,44 @@ Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Sphere_3<Kernel>& spher
   const auto pole = internal::vector_of_squared_length_3(sphere.squared_radius(), "to_bspline_surface: the sphere");
   const Bspline_surface_3<Kernel> surface(internal::sphere(internal::exact_object(sphere.center()), pole));
   return internal::orientation_of(sphere) == CGAL::CLOCKWISE ? surface.reversed(0) : surface;
+}
+
+/*!
+the part of the plane above and below a face of the cuboid, which holds all points that the plane has in the cuboid: a parallelogram over the ranges of two coordinates.
+They are the ones, in cyclic order, that follow the coordinate in which the normal of the plane is longest; where it points to the negative side they change places, so
+that the normals of the patch point the same way. Exact where the kernel is.
+\throws Invalid_input when the plane is degenerate, or a number is not finite.
+*/
+template <SplineKernel Kernel>
+Bspline_surface_3<Kernel> to_bspline_surface(const CGAL::Plane_3<Kernel>& plane, const CGAL::Iso_cuboid_3<Kernel>& cuboid)
+{
+  using internal::converted_number;
+  const std::array<Exact_rational, 4> h{converted_number<Exact_rational>(plane.a()), converted_number<Exact_rational>(plane.b()),
+                                        converted_number<Exact_rational>(plane.c()), converted_number<Exact_rational>(plane.d())};
+  int k = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (CGAL::abs(h[k]) < CGAL::abs(h[axis]))
+      k = axis;
+  if (h[k] == 0)
+    throw Invalid_input("to_bspline_surface: the plane is degenerate");
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  const auto low = internal::exact_object((cuboid.min)()), high = internal::exact_object((cuboid.max)());
+  const auto corner = [&](bool second_i, bool second_j) {
+    std::array<Exact_rational, 3> x;
+    x[i] = second_i ? high.cartesian(i) : low.cartesian(i);
+    x[j] = second_j ? high.cartesian(j) : low.cartesian(j);
+    x[k] = -(h[3] + h[i] * x[i] + h[j] * x[j]) / h[k];
+    return internal::Exact_kernel::Point_3(x[0], x[1], x[2]);
+  };
+  const auto patch = bilinear_surface(corner(false, false), corner(false, true), corner(true, false), corner(true, true));
+  return Bspline_surface_3<Kernel>(h[k] < 0 ? patch.transposed() : patch);
+}
+
+//! the B-spline form of another model of the concept, in its kernel. Exact where the kernel is.
+template <ParametricSurface_3 Surface>
+Bspline_surface_3<typename Surface::Kernel> to_bspline_surface(const Surface& surface)
+{
+  return Bspline_surface_3<typename Surface::Kernel>(internal::Exact_surface::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight()));
 }
 
 /*!
