@@ -78,6 +78,8 @@ static_assert(SC::ParametricSurface_3<SC::Bspline_surface_3<Double_cartesian>>);
 static_assert(!SC::ParametricSurface_3<int>);
 static_assert(SC::SplineKernel<CGAL::Simple_cartesian<float>>);
 static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<CGAL::Interval_nt<false>>>);
+static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<int>>);
+static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<SC::Exact_integer>>);
 static_assert(!SC::SplineKernel<int>);
 
 // What any model promises: points are quotients of the homogeneous coordinates.

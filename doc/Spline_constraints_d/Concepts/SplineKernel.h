@@ -9,7 +9,7 @@ The concept `SplineKernel` describes a kernel of CGAL whose number type holds ra
 
 Coordinates are taken exactly. Those of points that are computed are exact where the number type is, else the doubles of a computation in doubles.
 
-Kernels with interval coordinates or with numbers that are roots, as `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt` has them, are no models.
+Kernels with integer or interval coordinates, or with numbers that are roots, as `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt` has them, are no models.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Exact_predicates_inexact_constructions_kernel}

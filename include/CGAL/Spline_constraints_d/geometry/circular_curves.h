@@ -116,8 +116,8 @@ Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const 
 }
 
 /*!
-the arc of the circle around a center from one point to another. It is a part of the `circle_curve()` of the center through the source (run backwards if `orientation` is
-`CGAL::CLOCKWISE`), with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is, whether the radius is rational or not.
+the arc of the circle around a center from one point to another. It is a part of the `circle_curve()` of the center through the source (or of the one that runs the other way round,
+if `orientation` is `CGAL::CLOCKWISE`), with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is, whether the radius is rational or not.
 
 In kernels of doubles the target is the point of the circle in the direction of the given one.
 \throws Invalid_input when source or target is the center, they are the same point, the target is not on the circle (where numbers are exact), `orientation` is

@@ -7,7 +7,9 @@
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
+#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <concepts>
@@ -18,11 +20,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Numbers that are rational and say which: floating point numbers, what converts to Exact_rational, and lazy numbers over it.
+// Numbers that say which rational number they are: exact rationals, and lazy numbers over them.
 template <class FT>
 concept Has_rational_value =
-  std::is_floating_point_v<FT> || std::convertible_to<const FT&, Exact_rational> ||
-  requires(const FT& x) { { x.exact() } -> std::convertible_to<Exact_rational>; };
+  std::convertible_to<const FT&, Exact_rational> || requires(const FT& x) { { x.exact() } -> std::convertible_to<Exact_rational>; };
+
+// Rational coordinates. Integers are none: results of divisions have to be rational again.
+template <class FT>
+concept Rational_coordinate =
+  std::is_floating_point_v<FT> ||
+  (Has_rational_value<FT> && std::constructible_from<FT, Exact_rational> &&
+   std::derived_from<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category, CGAL::Field_tag>);
 
 template <class FT>
 using Spline_number = std::conditional_t<std::is_floating_point_v<FT>, double, Exact_rational>;
@@ -94,7 +102,7 @@ The language form of the concept documented as \link SplineKernel `SplineKernel`
 floating point numbers, as exact rationals, or lazily.
 */
 template <class Kernel>
-concept SplineKernel = internal::Has_rational_value<typename Kernel::FT> && requires {
+concept SplineKernel = internal::Rational_coordinate<typename Kernel::FT> && requires {
   typename Kernel::Point_2;
   typename Kernel::Vector_2;
   typename Kernel::Aff_transformation_2;
