@@ -90,6 +90,11 @@ TYPED_TEST(Curve_in_kernel, evaluates_and_operates)
   EXPECT_EQ(arc.normal(0), typename Kernel::Vector_2(-2, 0));
   EXPECT_FALSE(arc.is_closed());
 
+  const Curve closed = Curve::from_periodic(2, {0, 1, 2, 3, 4}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  EXPECT_TRUE(closed.is_closed());
+  EXPECT_EQ(closed(1), Point(2, 1));
+  EXPECT_EQ(closed.tangent(0), closed.bezier_pieces()[3].tangent(4));
+
   // To exact numbers nothing is lost.
   const SC::Bspline_curve_2<Exact_cartesian> exact(arc);
   EXPECT_TRUE(exact == quarter());
@@ -268,6 +273,11 @@ TEST(Bspline_curve, boxes_contain_the_curve)
   expect_invalid([&] { half.control_points(); }, "control point 1 has weight 0");
   const CGAL::Bbox_2 box = half.bbox();
   EXPECT_EQ(half(0), Point_2(1, 0));
+  EXPECT_EQ(half.squared_curvature(FT(1) / 3), 1);
+  EXPECT_TRUE(half.elevated(4) == half);
+  EXPECT_TRUE(half.with_knot(FT(1) / 3) == half);
+  EXPECT_TRUE(half.restricted(0, 1) == quarter());
+  EXPECT_TRUE(Curve_2(Double_curve_2(half)) == half);
   EXPECT_LE(box.xmin(), 0);
   EXPECT_GE(box.xmax(), 1);
   EXPECT_LE(box.ymin(), -1);
@@ -380,6 +390,7 @@ TEST(Bspline_curve, rejects_bad_input)
   EXPECT_TRUE(C(2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {1, 1}, {2, 0}}, {1, -0.5, 1}).is_rational());
   // Equal weights are no weights.
   EXPECT_FALSE(C(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}, {1, 1}).is_rational());
+  EXPECT_EQ(C(1, {0, 0, 1, 1}, {{0, 0}, {1, 0.1}}, {0.3, 0.3}).control_points()[1].y(), 0.1);
   EXPECT_FALSE(Curve_2(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}, {-3, -3}).is_rational());
 
   const C line(1, {0, 0, 1, 1}, {{0, 0}, {1, 1}}), point(1, {0, 0, 1, 1}, {{2, 2}, {2, 2}});
@@ -401,6 +412,8 @@ TEST(Bspline_curve, rejects_bad_input)
   expect_invalid([] { C::from_periodic(2, {0, 2, 1, 3}, {{0, 0}, {1, 0}, {1, 1}}); }, "smaller");
   const SC::Bspline_function<double> f({1}, {{0, 0, 1, 1}}, {1, 2}), g({1}, {{0, 0, 2, 2}}, {1, 2});
   expect_invalid([&] { C::from_homogeneous_coordinates({f, f}, g); }, "different domains");
+  expect_invalid([&] { C::from_homogeneous_coordinates({f, f.embedded({{0, 1}, {0, 1}}, {0})}, f); }, "2 where 1");
+  expect_invalid([&] { C::from_homogeneous_coordinates({f, f}, SC::Bspline_function<double>()); }, "0 where 1");
 }
 
 } // namespace

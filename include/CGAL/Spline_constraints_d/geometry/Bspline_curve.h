@@ -90,7 +90,8 @@ public:
     requires (!std::same_as<Other, Kernel_>)
   explicit Bspline_curve(const Bspline_curve<Other, d>& other) : Base(other.representation().template converted<NT>("Bspline_curve")) {}
 
-  //! the curve `numerators / weight`, on the knots of all of them. \throws Invalid_input when the domains differ, or the weight is not positive (or not negative).
+  //! the curve `numerators / weight`, on the knots of all of them.
+  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not positive (or not negative).
   static Bspline_curve from_homogeneous_coordinates(const std::array<Bspline_function<NT>, d>& numerators, const Bspline_function<NT>& weight)
   {
     return Bspline_curve(Base::from_functions(numerators, weight, "Bspline_curve"));

@@ -73,7 +73,8 @@ public:
     requires (!std::same_as<Other, Kernel_>)
   explicit Bspline_surface_3(const Bspline_surface_3<Other>& other) : Base(other.representation().template converted<NT>("Bspline_surface_3")) {}
 
-  //! the surface `numerators / weight`, on the knots of all of them. \throws Invalid_input when the domains differ, or the weight is not positive (or not negative).
+  //! the surface `numerators / weight`, on the knots of all of them.
+  //! \throws Invalid_input when they are not functions of as many parameters, the domains differ, or the weight is not positive (or not negative).
   static Bspline_surface_3 from_homogeneous_coordinates(const std::array<Bspline_function<NT>, 3>& numerators, const Bspline_function<NT>& weight)
   {
     return Bspline_surface_3(Base::from_functions(numerators, weight, "Bspline_surface_3"));

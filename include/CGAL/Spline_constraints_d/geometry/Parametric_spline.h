@@ -266,6 +266,8 @@ protected:
   {
     std::vector<Bspline_function<NT>> functions(numerators.begin(), numerators.end());
     functions.push_back(weight);
+    for (const Bspline_function<NT>& f : functions)
+      internal::check_count(static_cast<std::size_t>(f.dimension()), static_cast<std::size_t>(Derived::number_of_parameters), who + ": parameters of a coordinate");
     return Representation(std::move(functions), who);
   }
 

@@ -63,13 +63,15 @@ public:
                      const std::vector<NT>& weights, const std::string& who)
   {
     check_weights(weights, points.size(), who);
+    // Equal weights are none: nothing need be multiplied, which would round.
+    const bool has_weight = std::any_of(weights.begin(), weights.end(), [&](const NT& w) { return w != weights[0]; });
     for (int i = 0; i < d; ++i) {
       std::vector<NT> numerator;
       for (std::size_t k = 0; k < points.size(); ++k)
-        numerator.push_back(weights.empty() ? points[k][i] : NT(weights[k] * points[k][i]));
+        numerator.push_back(has_weight ? NT(weights[k] * points[k][i]) : points[k][i]);
       m_functions.emplace_back(degrees, knots, std::move(numerator));
     }
-    if (!weights.empty())
+    if (has_weight)
       m_functions.emplace_back(degrees, knots, weights);
     normalise_weight(who);
   }
