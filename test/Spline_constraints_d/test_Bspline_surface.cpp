@@ -8,6 +8,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,7 @@ static_assert(!SC::ParametricCurve_2<SC::Bspline_curve<CGAL::Epick, 3>>);
 static_assert(SC::ParametricSurface_3<SC::Bspline_surface_3<Double_cartesian>>);
 static_assert(!SC::ParametricSurface_3<int>);
 static_assert(SC::SplineKernel<CGAL::Simple_cartesian<float>>);
+static_assert(SC::SplineKernel<CGAL::Simple_cartesian<CGAL::Gmpq>>);
 static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<CGAL::Interval_nt<false>>>);
 static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<int>>);
 static_assert(!SC::SplineKernel<CGAL::Simple_cartesian<SC::Exact_integer>>);
@@ -115,7 +117,7 @@ class Surface_in_kernel
 {
 };
 
-using Kernels = testing::Types<Double_cartesian, CGAL::Epick, CGAL::Epeck, Exact_cartesian>;
+using Kernels = testing::Types<Double_cartesian, CGAL::Epick, CGAL::Epeck, Exact_cartesian, CGAL::Simple_cartesian<CGAL::Gmpq>>;
 TYPED_TEST_SUITE(Surface_in_kernel, Kernels, );
 
 // z = u v and short dyadic numbers: exact in every kernel.

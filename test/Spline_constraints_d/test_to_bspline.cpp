@@ -6,11 +6,15 @@
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
 
+#include <CGAL/Exact_circular_kernel_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <CGAL/Gmpq.h>
+
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace {
@@ -109,6 +113,42 @@ struct Own_segment
   std::pair<K::FT, K::FT> domain(int) const { return {1, 2}; }
   K::Point_3 operator()(const K::FT& t) const { return {-1, -3, (1 - t) / t}; }
 };
+
+TEST(Kernel_numbers, are_converted_without_error)
+{
+  using SC::internal::converted_number;
+  Random_source random(1);
+  for (int i = 0; i < 50; ++i) {
+    FT x = random.rational();
+    for (int k = random.integer(0, 9); k > 0; --k)
+      x *= FT(random.integer(1, 1 << 30)) / FT(random.integer(1, 1 << 30));
+    EXPECT_EQ(converted_number<FT>(converted_number<CGAL::Gmpq>(x)), x);
+    EXPECT_EQ(converted_number<FT>(converted_number<K::FT>(x)), x);
+    const double rounded = converted_number<double>(x);
+    EXPECT_EQ(converted_number<double>(converted_number<FT>(rounded)), rounded);
+    EXPECT_EQ(converted_number<CGAL::Gmpq>(rounded), CGAL::Gmpq(rounded));
+  }
+  expect_invalid([] { converted_number<FT>(std::numeric_limits<double>::infinity()); }, "infinity");
+}
+
+TEST(To_bspline_curve, converts_arcs_of_circular_kernels)
+{
+  using C = CGAL::Exact_circular_kernel_2;
+  static_assert(SC::SplineKernel<C>);
+  const C::Circle_2 circle(C::Point_2(1, 2), 25);
+  const C::Circular_arc_point_2 p(C::Point_2(6, 2)), q(C::Point_2(4, -2));
+  const auto arc = SC::to_bspline_curve(C::Circular_arc_2(circle, p, q));
+  EXPECT_EQ(arc.source(), C::Point_2(6, 2));
+  EXPECT_EQ(arc.target(), C::Point_2(4, -2));
+  EXPECT_EQ(CGAL::squared_distance(arc(2), C::Point_2(1, 2)), 25);
+  EXPECT_GT(arc.domain().second, 2);
+  // From the lower to the upper end of the chord x = 2, whose coordinates are 2 +- sqrt(24); and where the root is 4.
+  const C::Circular_arc_2 irrational(circle, C::Line_2(1, 0, -2), true, C::Line_2(1, 0, -2), false);
+  expect_invalid([&] { SC::to_bspline_curve(irrational); }, "no rational coordinates");
+  const auto upright = SC::to_bspline_curve(C::Circular_arc_2(circle, C::Line_2(1, 0, -4), true, C::Line_2(1, 0, -4), false));
+  EXPECT_EQ(CGAL::midpoint(upright.source(), upright.target()), C::Point_2(4, 2));
+  EXPECT_EQ(CGAL::squared_distance(upright.source(), upright.target()), 64);
+}
 
 TEST(To_bspline_curve, takes_any_model_of_the_concept)
 {

@@ -16,12 +16,13 @@ Kernels with integer or interval coordinates, or with numbers that are roots, as
 \cgalHasModels{CGAL::Exact_predicates_exact_constructions_kernel}
 \cgalHasModels{CGAL::Simple_cartesian<double>}
 \cgalHasModels{CGAL::Simple_cartesian<Exact_rational>}
+\cgalHasModels{CGAL::Simple_cartesian<CGAL::Gmpq>}
 \cgalHasModelsEnd
 */
 class SplineKernel
 {
 public:
-  //! a floating point type, a type that converts to `Exact_rational` and back without error, or one whose member `exact()` does.
+  //! a floating point type; a fraction of integers, by `CGAL::Fraction_traits`, such as `Exact_rational` and `CGAL::Gmpq`; or a lazy number over `Exact_rational`, which its member `exact()` gives.
   typedef unspecified_type FT;
 
   //! points, vectors and affine maps in the plane, as in the concept `Kernel` of CGAL.

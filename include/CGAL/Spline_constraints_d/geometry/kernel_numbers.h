@@ -4,10 +4,12 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_KERNEL_NUMBERS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_KERNEL_NUMBERS_H
 
+#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/tags.h>
 
@@ -20,17 +22,41 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Numbers that say which rational number they are: exact rationals, and lazy numbers over them.
+// Lazy numbers over Exact_rational.
 template <class FT>
-concept Has_rational_value =
-  std::convertible_to<const FT&, Exact_rational> || requires(const FT& x) { { x.exact() } -> std::convertible_to<Exact_rational>; };
+concept Lazy_rational = std::constructible_from<FT, Exact_rational> && requires(const FT& x) { { x.exact() } -> std::convertible_to<Exact_rational>; };
 
-// Rational coordinates. Integers are none: results of divisions have to be rational again.
+// Fractions of integers, whatever their type. (Lazy numbers are fractions too, of lazy integers.)
 template <class FT>
-concept Rational_coordinate =
-  std::is_floating_point_v<FT> ||
-  (Has_rational_value<FT> && std::constructible_from<FT, Exact_rational> &&
-   std::derived_from<typename CGAL::Algebraic_structure_traits<FT>::Algebraic_category, CGAL::Field_tag>);
+concept Integer_fraction =
+  !Lazy_rational<FT> && CGAL::Fraction_traits<FT>::Is_fraction::value &&
+  std::derived_from<typename CGAL::Algebraic_structure_traits<typename CGAL::Fraction_traits<FT>::Numerator_type>::Algebraic_category, CGAL::Euclidean_ring_tag>;
+
+// Rational coordinates that say which numbers they are. Integers are none: results of divisions have to be rational again.
+template <class FT>
+concept Rational_coordinate = std::is_floating_point_v<FT> || std::same_as<FT, Exact_rational> || Lazy_rational<FT> || Integer_fraction<FT>;
+
+template <class Integer>
+Integer integer_of_type(const Big_integer& value)
+{
+  constexpr int bits = 30;
+  const bool is_negative = value < 0;
+  Integer result(0), weight(1);
+  for (Big_integer rest = abs(value); rest != 0; rest >>= bits) {
+    const Big_integer digit = rest & ((1 << bits) - 1);
+    result += weight * Integer(digit.convert_to<int>());
+    weight *= Integer(1 << bits);
+  }
+  return is_negative ? Integer(-result) : result;
+}
+
+template <Integer_fraction Fraction>
+Fraction fraction_of_type(const Exact_rational& x)
+{
+  using Traits = CGAL::Fraction_traits<Fraction>;
+  return typename Traits::Compose()(integer_of_type<typename Traits::Numerator_type>(numerator_of(x)),
+                                    integer_of_type<typename Traits::Denominator_type>(denominator_of(x)));
+}
 
 template <class FT>
 using Spline_number = std::conditional_t<std::is_floating_point_v<FT>, double, Exact_rational>;
@@ -45,13 +71,17 @@ Target converted_number(const Source& x)
     return static_cast<Target>(x);
   else if constexpr (std::is_floating_point_v<Target>)
     return static_cast<Target>(to_nearest_double(converted_number<Exact_rational>(x)));
-  else if constexpr (!std::same_as<Target, Exact_rational>)
+  else if constexpr (Lazy_rational<Target>)
     return Target(converted_number<Exact_rational>(x));
+  else if constexpr (!std::same_as<Target, Exact_rational>)
+    return fraction_of_type<Target>(converted_number<Exact_rational>(x));
   else if constexpr (std::is_floating_point_v<Source>)
     return to_rational(static_cast<double>(x));
-  else if constexpr (requires { { x.exact() } -> std::convertible_to<Exact_rational>; })
+  else if constexpr (Lazy_rational<Source>)
     return Exact_rational(x.exact());
-  else
+  else if constexpr (Integer_fraction<Source>)
+    return Exact_rational(scaled_rational(numerator_of_rational(x), 0) / scaled_rational(denominator_of_rational(x), 0));
+  else   // an expression that has not been evaluated yet
     return Exact_rational(x);
 }
 

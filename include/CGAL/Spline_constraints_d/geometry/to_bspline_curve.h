@@ -15,11 +15,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL {
+
+// Of the circular kernels, which not every user of this header has a use for.
+template <class CircularKernel>
+class Circular_arc_2;
+
 namespace Spline_constraints {
 namespace internal {
 
@@ -53,6 +59,20 @@ CGAL::Orientation orientation_of(const Object& object)
     return object.exact().orientation();
   else
     return object.orientation();
+}
+
+// The value of a + b sqrt(c), the form of the coordinates of the ends of a circular arc, if it is rational.
+template <class Root>
+Exact_rational rational_value(const Root& x)
+{
+  const Exact_rational a = converted_number<Exact_rational>(x.a0());
+  if (!x.is_extended())
+    return a;
+  const Exact_rational b = converted_number<Exact_rational>(x.a1());
+  const std::optional<Exact_rational> root = rational_square_root(converted_number<Exact_rational>(x.root()));
+  if (!root && b != 0)
+    throw Invalid_input("to_bspline_curve: an end of the arc has no rational coordinates");
+  return root ? Exact_rational(a + b * *root) : a;
 }
 
 template <class Kernel, class Vertices>
@@ -95,6 +115,19 @@ Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Circle_2<Kernel>& circle)
   const auto radius = internal::vector_of_squared_length_2(circle.squared_radius(), "to_bspline_curve: the circle");
   const auto side = radius.perpendicular(internal::orientation_of(circle));
   return Bspline_curve_2<Kernel>(internal::ellipse<2>(center, radius, side));
+}
+
+/*!
+the arc of a circular kernel, counterclockwise as arcs are there, see `circular_arc_curve()`; the circle if its ends are the same point. The coordinates of its ends are
+square roots in general; arcs between rational points are converted, exactly.
+\throws Invalid_input when an end has no rational coordinates.
+*/
+template <SplineKernel CircularKernel>
+Bspline_curve_2<CircularKernel> to_bspline_curve(const CGAL::Circular_arc_2<CircularKernel>& arc)
+{
+  const auto point = [](const auto& p) { return internal::Exact_kernel::Point_2(internal::rational_value(p.x()), internal::rational_value(p.y())); };
+  const auto center = internal::exact_object(arc.center()), source = point(arc.source()), target = point(arc.target());
+  return Bspline_curve_2<CircularKernel>(source == target ? circle_curve(center, source) : circular_arc_curve(center, source, target));
 }
 
 //! the boundary of the triangle, a closed polygonal curve with vertex \f$i\f$ at the parameter \f$i\f$. Exact in every kernel.
