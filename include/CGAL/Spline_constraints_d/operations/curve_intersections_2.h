@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H
+
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/operations/Curve_intersection_2.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+namespace internal {
+
+/*
+The intersections of two curves: solutions of C1(u) = C2(v), told apart by what is known of the ends of the curves. Whether an end of one curve lies on the other one is a system in one
+unknown, all of whose solutions are found exactly.
+*/
+template <SplineKernel Kernel>
+class Curve_intersector_2
+{
+  using Map = Spline_map<1, 2>;
+  using Solution = Solution_d<double>;
+  using Box = Solution::Exact_box;
+  using Range = std::pair<Exact_rational, Exact_rational>;
+  using Parameter = std::array<Exact_rational, 1>;
+
+  // An end of a curve, and a range of parameters of the other one that holds just one with this point.
+  struct Incidence
+  {
+    std::size_t curve;
+    bool is_upper;
+    Exact_rational end;
+    Range range;
+  };
+
+  std::array<Map, 2> m_curves;
+  Subdivision_solver_d<Certified_solver_traits> m_solver;
+  std::array<bool, 2> m_is_closed;
+  std::vector<Incidence> m_incidences;
+
+public:
+  Curve_intersector_2(const Map& c1, const Map& c2, const Solver_options& options)
+    : m_curves{c1, c2}, m_solver(options)
+  {
+    for (std::size_t i = 0; i < 2; ++i)
+      m_is_closed[i] = end_point(i, false) == end_point(i, true);
+  }
+
+  Curve_intersections_2<Kernel> operator()()
+  {
+    const auto [u, v] = parameters(m_curves[0], m_curves[1]);
+    const Solution_set_d<double> solutions = m_solver(equality(m_curves[0](u), m_curves[1](v)));
+    if (!solutions.empty())
+      find_incidences();
+    std::vector<Curve_intersection_2<Kernel>> result;
+    for (const Solution& solution : solutions)
+      if (auto intersection = classified(solution))
+        result.push_back(std::move(*intersection));
+    return Curve_intersections_2<Kernel>(std::move(result), solutions.summary());
+  }
+
+private:
+  const Exact_rational& end(std::size_t curve, bool is_upper) const { return is_upper ? m_curves[curve].domain(0).second : m_curves[curve].domain(0).first; }
+  std::array<Exact_rational, 2> end_point(std::size_t curve, bool is_upper) const { return m_curves[curve](Parameter{end(curve, is_upper)}); }
+
+  static Constraint_system_d equality(const Vector_expression<2>& a, const Vector_expression<2>& b)
+  {
+    const std::array<Constraint, 2> constraints{a.x() == b.x(), a.y() == b.y()};
+    return make_system(constraints);
+  }
+
+  void find_incidences()
+  {
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const bool is_upper : {false, true}) {
+        const auto [t] = parameters(m_curves[1 - i]);
+        const std::array<Exact_rational, 2> point = end_point(i, is_upper);
+        for (const Solution& solution : m_solver(equality(m_curves[1 - i](t), {point[0], point[1]})))
+          m_incidences.push_back({i, is_upper, end(i, is_upper), solution.exact_box()[0]});
+      }
+  }
+
+  // The intersection that a solution stands for; none when it is a point on the seam of a closed curve with the second parameter of that point.
+  std::optional<Curve_intersection_2<Kernel>> classified(const Solution& solution) const
+  {
+    Box box = solution.exact_box();
+    Intersection_kind kind = kind_of(solution);
+    std::array<bool, 2> is_at_end{false, false};
+    bool is_repeated = false;
+    if (is_one_point(solution)) {
+      const Box region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
+      for (const Incidence& incidence : m_incidences) {
+        if (!meets(box, incidence))
+          continue;
+        if (!holds(region, incidence))
+          return made(Intersection_kind::UNDECIDED, solution, box, {false, false});   // too close to tell
+        const std::size_t i = incidence.curve;
+        box[i] = {incidence.end, incidence.end};
+        is_at_end[i] = true;
+        is_repeated = is_repeated || (incidence.is_upper && m_is_closed[i]);
+        if (kind != Intersection_kind::TANGENT)
+          kind = Intersection_kind::END_POINT;
+      }
+    }
+    if (is_repeated)
+      return std::nullopt;
+    return made(kind, solution, box, is_at_end);
+  }
+
+  static Intersection_kind kind_of(const Solution& solution)
+  {
+    switch (solution.kind()) {
+    case Solution_kind::CERTIFIED: return Intersection_kind::TRANSVERSAL;
+    case Solution_kind::CLUSTER: return Intersection_kind::TANGENT;
+    case Solution_kind::CONTINUUM: return Intersection_kind::OVERLAP;
+    case Solution_kind::UNDECIDED: break;
+    }
+    return Intersection_kind::UNDECIDED;
+  }
+
+  // With an incidence, a regular solution on the boundary of the domain is decided.
+  static bool is_one_point(const Solution& solution)
+  {
+    return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER || solution.reason() == Undecided_reason::DOMAIN_BOUNDARY;
+  }
+
+  static bool meets(const Box& box, const Incidence& incidence)
+  {
+    const Range &own = box[incidence.curve], &other = box[1 - incidence.curve];
+    return own.first <= incidence.end && incidence.end <= own.second && other.first <= incidence.range.second && incidence.range.first <= other.second;
+  }
+
+  // Then the incidence is the only solution in the box.
+  static bool holds(const Box& box, const Incidence& incidence)
+  {
+    const Range &own = box[incidence.curve], &other = box[1 - incidence.curve];
+    return own.first <= incidence.end && incidence.end <= own.second && other.first <= incidence.range.first && incidence.range.second <= other.second;
+  }
+
+  Curve_intersection_2<Kernel> made(Intersection_kind kind, const Solution& solution, const Box& box, const std::array<bool, 2>& is_at_end) const
+  {
+    std::array<Range, 2> ranges;
+    for (std::size_t i = 0; i < 2; ++i)   // enclosures may reach over the domain
+      ranges[i] = {(std::max)(box[i].first, end(i, false)), (std::min)(box[i].second, end(i, true))};
+    const std::array<Exact_rational, 2> middle = m_curves[0](Parameter{(ranges[0].first + ranges[0].second) / 2});
+    return {kind, ranges, kernel_object<Kernel, typename Kernel::Point_2>(middle), is_at_end, solution};
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all intersections of two curves in the plane: the solutions of \f$C_1(u) = C_2(v)\f$, each common point once.
+
+Curves are taken exactly (doubles are rational numbers), and so are all decisions. A point on a knot is found once. A point on the seam of a closed curve, where two parameters stand
+for it, is reported with the first of them. Whether a common point is an end of a curve is decided exactly: the end is put into the equations of the other curve. Overlaps have
+exact parameter ranges where one parameter is a linear function of the other.
+
+\tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
+\param options those of the solver; a tolerance concerns only what remains undecided.
+\throws Invalid_input when an option makes no sense.
+
+Complexity: that of a system of two equations in two unknowns, and of four in one unknown. Source: \cgalCite{ek-gcs-01}, section 2.
+*/
+template <ParametricCurve_2 C1, ParametricCurve_2 C2>
+Curve_intersections_2<typename C1::Kernel> intersections(const C1& c1, const C2& c2, const Solver_options& options = {})
+{
+  return internal::Curve_intersector_2<typename C1::Kernel>(Spline_map<1, 2>(c1), Spline_map<1, 2>(c2), options)();
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Intersections of planar curves against exact answers.
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_intersections_2.h>
+#include <CGAL/Spline_constraints_d/solver/verify.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using SC::Exact_rational;
+using SC::Intersection_kind;
+
+using Doubles = CGAL::Simple_cartesian<double>;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Points = std::vector<Doubles::Point_2>;
+using Pairs = std::vector<std::pair<double, double>>;
+
+// Answers of one kind, by their points rounded to multiples of 1e-9.
+template <class Intersections>
+Pairs points_of(const Intersections& intersections, Intersection_kind kind)
+{
+  Pairs result;
+  for (const auto& intersection : intersections)
+    if (intersection.kind() == kind) {
+      const auto rounded = [](const auto& x) { return std::nearbyint(CGAL::to_double(x) * 1e9) / 1e9 + 0.0; };
+      result.emplace_back(rounded(intersection.point().x()), rounded(intersection.point().y()));
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Curve_intersections_2, CirclesCross)
+{
+  const auto intersections = SC::intersections(SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(5)), SC::circle_curve(Epeck::Point_2(6, 0), Epeck::FT(5)));
+  EXPECT_TRUE(intersections.is_complete());
+  EXPECT_EQ(points_of(intersections, Intersection_kind::TRANSVERSAL), (Pairs{{3, -4}, {3, 4}}));
+  EXPECT_EQ(intersections.size(), 2u);
+  for (const auto& intersection : intersections)
+    EXPECT_TRUE(intersection.multiplicity() == 1 && !intersection.is_at_end(0) && !intersection.is_at_end(1));
+}
+
+// (5,0) is the seam of the circle: found from both sides of it, and reported once, with its first parameter.
+TEST(Curve_intersections_2, SeamOfACircle)
+{
+  const auto circle = SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(5));
+  const auto line = SC::segment_curve(Epeck::Point_2(-7, 3), Epeck::Point_2(9, -1));   // (5,0) at 3/4
+  for (const bool is_first : {true, false}) {
+    const auto intersections = is_first ? SC::intersections(circle, line) : SC::intersections(line, circle);
+    EXPECT_TRUE(intersections.is_complete());
+    EXPECT_EQ(intersections.size(), 2u);
+    ASSERT_EQ(intersections.count(Intersection_kind::END_POINT), 1u);
+    const auto& seam = *std::find_if(intersections.begin(), intersections.end(), [](const auto& x) { return x.kind() == Intersection_kind::END_POINT; });
+    const std::size_t i = is_first ? 0 : 1;
+    EXPECT_EQ(seam.parameter_range(i), (std::pair<Exact_rational, Exact_rational>(0, 0)));
+    EXPECT_TRUE(seam.is_at_end(i) && !seam.is_at_end(1 - i));
+    EXPECT_DOUBLE_EQ(seam.parameter(1 - i), 0.75);
+    EXPECT_DOUBLE_EQ(CGAL::to_double(seam.point().x()), 5);
+  }
+  // Both circles have their seams there and cross.
+  const auto other = SC::circle_curve(Epeck::Point_2(2, 4), Epeck::Point_2(5, 0));
+  const auto intersections = SC::intersections(circle, other);
+  EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+  EXPECT_EQ(intersections.size(), 2u);
+  ASSERT_EQ(intersections.count(Intersection_kind::END_POINT), 1u);
+}
+
+// The parabola (v^2, v^4) ends nowhere near, and (2,4) has the irrational parameter sqrt(2) on it.
+TEST(Curve_intersections_2, EndsOnACurve)
+{
+  const auto quartic = SC::bezier_curve(std::vector<Epeck::Point_2>{{0, 0}, {0, 0}, {Epeck::FT(2) / 3, 0}, {2, 0}, {4, 16}});   // over [0,1], with v = 2t
+  const auto from = SC::segment_curve(Epeck::Point_2(2, 4), Epeck::Point_2(3, 0));
+  const auto ends = SC::intersections(from, quartic);
+  EXPECT_TRUE(ends.is_complete()) << ends.summary();
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_EQ(ends[0].kind(), Intersection_kind::END_POINT);
+  EXPECT_EQ(ends[0].parameter_range(0), (std::pair<Exact_rational, Exact_rational>(0, 0)));
+  EXPECT_EQ(ends[0].point(), Epeck::Point_2(2, 4));
+  EXPECT_NEAR(ends[0].parameter(1), std::sqrt(0.5), 1e-15);
+  EXPECT_TRUE(ends[0].is_at_end(0) && !ends[0].is_at_end(1));
+
+  // Just beyond it and just before it.
+  const Epeck::FT little = Epeck::FT(1) / Epeck::FT(1e18);
+  EXPECT_TRUE(SC::intersections(SC::segment_curve(Epeck::Point_2(2, 4 - little), Epeck::Point_2(3, 0)), quartic).empty());
+  const auto crossing = SC::intersections(SC::segment_curve(Epeck::Point_2(2, 4 + little), Epeck::Point_2(3, 0)), quartic);
+  ASSERT_EQ(crossing.size(), 1u);
+  EXPECT_EQ(crossing[0].kind(), Intersection_kind::TRANSVERSAL);
+  EXPECT_FALSE(crossing[0].is_at_end(0));
+}
+
+TEST(Curve_intersections_2, SharedEndsAndCorners)
+{
+  const auto a = SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 0}}), b = SC::polyline_curve(Points{{2, 0}, {1, 1}, {0, 2}});
+  const auto intersections = SC::intersections(SC::segment_curve(Doubles::Point_2(0, 0), Doubles::Point_2(2, 1)), SC::segment_curve(Doubles::Point_2(2, 1), Doubles::Point_2(3, -5)));
+  EXPECT_TRUE(intersections.is_complete());
+  ASSERT_EQ(intersections.size(), 1u);
+  EXPECT_EQ(intersections[0].kind(), Intersection_kind::END_POINT);
+  EXPECT_TRUE(intersections[0].is_at_end(0) && intersections[0].is_at_end(1));
+  EXPECT_EQ(intersections[0].point(), Doubles::Point_2(2, 1));
+
+  // The second half of `a` is the first half of `b`.
+  const auto common = SC::intersections(a, b);
+  EXPECT_TRUE(common.is_complete()) << common.summary();
+  ASSERT_EQ(common.count(Intersection_kind::OVERLAP), 1u);
+  const auto& overlap = *std::find_if(common.begin(), common.end(), [](const auto& x) { return x.kind() == Intersection_kind::OVERLAP; });
+  EXPECT_EQ(overlap.parameter_range(0), (std::pair<Exact_rational, Exact_rational>(1, 2)));
+  EXPECT_EQ(overlap.parameter_range(1), (std::pair<Exact_rational, Exact_rational>(0, 1)));
+}
+
+TEST(Curve_intersections_2, Tangents)
+{
+  const auto parabola = SC::bezier_curve(Points{{-1, 1}, {0, -1}, {1, 1}});
+  const auto tangent = SC::intersections(parabola, SC::segment_curve(Doubles::Point_2(-1.5, 0), Doubles::Point_2(1.25, 0)));
+  EXPECT_TRUE(tangent.is_complete());
+  ASSERT_EQ(tangent.size(), 1u);
+  EXPECT_EQ(tangent[0].kind(), Intersection_kind::TANGENT);
+  EXPECT_EQ(tangent[0].multiplicity(), 2);
+
+  // A line 1e-10 above, and below.
+  const auto above = SC::intersections(parabola, SC::segment_curve(Doubles::Point_2(-1.5, 1e-10), Doubles::Point_2(1.25, 1e-10)));
+  EXPECT_TRUE(above.is_complete() && above.count(Intersection_kind::TRANSVERSAL) == 2 && above.size() == 2);
+  const auto below = SC::intersections(parabola, SC::segment_curve(Doubles::Point_2(-1.5, -1e-10), Doubles::Point_2(1.25, -1e-10)));
+  EXPECT_TRUE(below.is_complete() && below.empty());
+}
+
+// Curves and their transposes: 4, 9 and 81 points.
+TEST(Curve_intersections_2, Transposed)
+{
+  const auto transposed = [](Points points) {
+    for (auto& p : points)
+      p = {p.y(), p.x()};
+    return SC::bezier_curve(points);
+  };
+  Points wiggly, chebyshev;
+  for (int i = 0; i <= 10; ++i)
+    wiggly.emplace_back(i / 10.0, i % 2 == 0 ? 1.0 : -1.0);
+  const double binomials[] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1}, even[] = {1, 153, 3060, 18564, 43758, 43758, 18564, 3060, 153, 1};
+  for (int i = 0; i <= 9; ++i)
+    chebyshev.emplace_back(-1 + 2.0 * i / 9, (i % 2 == 1 ? 1 : -1) * even[i] / binomials[i]);
+  const Points cubic{{-3, -3}, {-1, 15}, {1, -15}, {3, 3}};
+  for (const auto& [points, count] : {std::pair(wiggly, 4u), std::pair(cubic, 9u), std::pair(chebyshev, 81u)}) {
+    const auto intersections = SC::intersections(SC::bezier_curve(points), transposed(points));
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    EXPECT_EQ(intersections.size(), count);
+  }
+}
+
+// Curves through a common point, planted at random parameters: it is found once, and an affine map changes no count.
+TEST(Curve_intersections_2, PlantedPoints)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  std::mt19937 random(7);
+  const auto number = [&](int range) { return Exact_rational(static_cast<int>(random() % (2 * range + 1)) - range); };
+  for (int round = 0; round < 60; ++round) {
+    std::vector<K::Point_2> a, b;
+    for (int i = 0; i < 4 + round % 3; ++i)
+      a.emplace_back(number(20), number(20));
+    for (int i = 0; i < 4; ++i)
+      b.emplace_back(number(20), number(20));
+    const auto first = SC::bezier_curve(a);
+    const Exact_rational s = Exact_rational(static_cast<int>(1 + random() % 9)) / 10, t = round % 5 == 0 ? Exact_rational(1) : Exact_rational(static_cast<int>(1 + random() % 9)) / 10;
+    auto second = SC::bezier_curve(b);
+    second = second.transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, first(s) - second(t)));
+    const auto intersections = SC::intersections(first, second);
+    ASSERT_TRUE(intersections.is_complete()) << round << ' ' << intersections.summary();
+    EXPECT_EQ(std::count_if(intersections.begin(), intersections.end(), [&](const auto& x) {
+      return x.parameter_range(0).first <= s && s <= x.parameter_range(0).second && x.parameter_range(1).first <= t && t <= x.parameter_range(1).second &&
+             x.is_at_end(1) == (t == 1);
+    }), 1) << round;
+    const CGAL::Aff_transformation_2<K> map(Exact_rational(3), Exact_rational(-1), Exact_rational(7), Exact_rational(2), Exact_rational(5), Exact_rational(1) / 3);
+    const auto images = SC::intersections(first.transformed(map), second.transformed(map));
+    EXPECT_EQ(images.size(), intersections.size());
+    for (const Intersection_kind kind : {Intersection_kind::TRANSVERSAL, Intersection_kind::END_POINT, Intersection_kind::TANGENT})
+      EXPECT_EQ(images.count(kind), intersections.count(kind));
+  }
+}
+
+} // namespace
