@@ -3,8 +3,8 @@
 
 #include "geometry_test_tools.h"
 
+#include <CGAL/Spline_constraints_d/geometry/canal_surfaces.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/pipe_surface.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
@@ -219,6 +219,33 @@ TEST(Pipe_surface, keeps_its_distance_from_the_spine)
   expect_invalid([&] { SC::pipe_surface(spline, SC::segment_curve(Point(0, 0, 1), Point(0, 0, 1))); }, "different domains");
   const Curve_3 corner = SC::polyline_curve<Exact_cartesian>({Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0)});
   expect_invalid([&] { SC::pipe_surface(corner, Vector(0, 0, 1)); }, "continuously differentiable");
+}
+
+TEST(Canal_surface, touches_its_spheres)
+{
+  Random_geometry random(13);
+  const auto check = [&](const Surface& canal, const Curve_3& spine, const Curve_3& arm) {
+    EXPECT_TRUE(canal.is_closed(0));
+    EXPECT_TRUE(canal.iso_curve(0, 0)(1) == spine(1) + (arm(1) - CGAL::ORIGIN));
+    for (int i = 0; i < rounds; ++i) {
+      const auto [u, v] = random_parameters(random, canal);
+      const Vector radius = canal(u, v) - spine(v);
+      EXPECT_EQ(radius.squared_length(), (arm(v) - CGAL::ORIGIN).squared_length());
+      EXPECT_EQ(CGAL::cross_product(radius, canal.normal(u, v)), CGAL::NULL_VECTOR);
+      EXPECT_NE(canal.normal(u, v), CGAL::NULL_VECTOR);
+    }
+  };
+  // Normals (-2t, 1, 1 + t) of the parabola (t, t^2, 0) and what they leave for the spine, (3 t, t^2 - 1, -1 - t).
+  const Curve_3 spine = SC::bezier_curve<Exact_cartesian>({Point(0, -1, -1), Point(FT(3) / 2, -1, FT(-3) / 2), Point(3, 0, -2)});
+  const Curve_3 arm = SC::segment_curve(Point(0, 1, 1), Point(-2, 1, 2));
+  check(SC::canal_surface(spine, arm), spine, arm);
+  // Spheres that grow along a line: a cone.
+  const Curve_3 line = SC::segment_curve(Point(0, 0, 5), Point(0, 0, 10)), growing = SC::segment_curve(Point(FT(12) / 5, 0, FT(-9) / 5), Point(FT(24) / 5, 0, FT(-18) / 5));
+  const Surface cone = SC::canal_surface(line, growing);
+  check(cone, line, growing);
+  EXPECT_EQ(cone.gaussian_curvature(FT(1) / 3, FT(1) / 2), 0);
+  expect_invalid([&] { SC::canal_surface(line, SC::segment_curve(Point(1, 0, 0), Point(2, 0, 0))); }, "right angle");
+  expect_invalid([&] { SC::canal_surface(line, growing.with_domain(0, 2)); }, "different domains");
 }
 
 // The same constructions in the other kernels: rounded, or lazily exact.

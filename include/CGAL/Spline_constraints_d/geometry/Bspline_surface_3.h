@@ -10,10 +10,13 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/periodic_knots.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {

@@ -12,6 +12,9 @@
 #include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <string>
+#include <type_traits>
+
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {

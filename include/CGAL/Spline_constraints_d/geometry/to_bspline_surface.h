@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
