@@ -120,6 +120,18 @@ TEST(Curve_intersections_2, SharedEndsAndCorners)
   EXPECT_EQ(overlap.parameter_range(1), (std::pair<Exact_rational, Exact_rational>(0, 1)));
 }
 
+// Pieces of one circle: where two of them meet on both curves, a common factor has a zero of its own that belongs to the overlap.
+TEST(Curve_intersections_2, OverlapAcrossABreak)
+{
+  const auto circle = SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(2));
+  const auto intersections = SC::intersections(circle, circle.restricted(Epeck::FT(5) / 2, Epeck::FT(7) / 2));
+  EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+  ASSERT_EQ(intersections.size(), 1u);
+  EXPECT_EQ(intersections[0].kind(), Intersection_kind::OVERLAP);
+  for (int i : {0, 1})
+    EXPECT_EQ(intersections[0].parameter_range(i), (std::pair<Exact_rational, Exact_rational>(Exact_rational(5) / 2, Exact_rational(7) / 2)));
+}
+
 TEST(Curve_intersections_2, Tangents)
 {
   const auto parabola = SC::bezier_curve(Points{{-1, 1}, {0, -1}, {1, 1}});

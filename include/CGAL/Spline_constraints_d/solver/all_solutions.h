@@ -219,6 +219,7 @@ private:
       report_solutions_beside(cell);
     }
     join(continua, open);
+    std::erase_if(open, [&](const Exact_box& box) { return is_point_of(continua, box); });
     std::erase_if(m_walk.open_boxes(), [&](const auto& box) { return box.reason == Undecided_reason::TOLERANCE && holds_only(continua, exact_box(box)); });
     for (Continuum& continuum : continua)
       m_solutions.emplace_back(Solution_kind::CONTINUUM, continuum.dimension, std::move(continuum.cover), std::move(continuum.ends));
@@ -228,6 +229,18 @@ private:
     merge_boxes_that_meet(boxes);
     for (const auto& box : boxes)
       m_solutions.push_back(classified<NT>(m_system, box, true));
+  }
+
+  // The box is one point, and this is the end of what is reported from another cell.
+  static bool is_point_of(const std::vector<Continuum>& continua, const Exact_box& box)
+  {
+    Exact_point point;
+    for (const auto& [lower, upper] : box) {
+      if (lower != upper)
+        return false;
+      point.push_back(lower);
+    }
+    return std::any_of(continua.begin(), continua.end(), [&](const Continuum& continuum) { return holds(continuum, point); });
   }
 
   // All solutions in a box are points of continua: in each cell that it meets, they belong to what is reported of a common factor, or are one corner that lies on a continuum. Where two cells of a

@@ -72,53 +72,57 @@ inline std::optional<Common_cell> common_cell(const Constraint_system_d& system,
 }
 
 /*
-The only corner of a box where the equalities may be zero there, when one of them, a polynomial around an inner point of the box, proves it: its Bernstein coefficients have one sign but for a zero at that
-corner. A point stands for "nowhere" when none is zero: empty.
+The only corner of a box where a polynomial may be zero there, when its Bernstein coefficients have one sign but for a zero at that corner. A point stands for "nowhere" when none is zero:
+empty.
 */
-inline std::optional<Exact_point> only_corner_zero(const Constraint_system_d& system, const Exact_box& box)
+inline std::optional<Exact_point> only_corner_zero(const Power_polynomial& f, const Exact_box& box)
 {
   const std::size_t n = box.size();
+  std::vector<int> degrees;
+  std::size_t size = 1;
+  for (std::size_t j = 0; j < n; ++j) {
+    degrees.push_back((std::max)(1, f.degree(static_cast<int>(j))));
+    size *= static_cast<std::size_t>(degrees.back()) + 1;
+  }
+  std::vector<Exact_rational> power(size, Exact_rational(0));
+  for (const auto& [monomial, coefficient] : f.terms()) {
+    std::size_t place = 0;
+    for (std::size_t j = 0; j < n; ++j)
+      place = place * (static_cast<std::size_t>(degrees[j]) + 1) + monomial.exponent(static_cast<int>(j));
+    power[place] = coefficient;
+  }
+  const auto tensor = Bernstein_tensor<Exact_rational>::from_power_on_box(degrees, power, box);
+  std::size_t zeros = 0, positive = 0, zero_place = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const CGAL::Sign sign = CGAL::sign(tensor.coefficients()[i]);
+    positive += sign == CGAL::POSITIVE;
+    if (sign == CGAL::ZERO) {
+      ++zeros;
+      zero_place = i;
+    }
+  }
+  if (zeros > 1 || (positive != 0 && positive != size - zeros))
+    return std::nullopt;
+  Exact_point corner;
+  bool is_corner = true;
+  for (std::size_t j = n; zeros == 1 && j-- > 0;) {
+    const std::size_t k = zero_place % (static_cast<std::size_t>(degrees[j]) + 1);
+    zero_place /= static_cast<std::size_t>(degrees[j]) + 1;
+    is_corner = is_corner && (k == 0 || k == static_cast<std::size_t>(degrees[j]));
+    corner.insert(corner.begin(), k == 0 ? box[j].first : box[j].second);
+  }
+  return is_corner ? std::optional(corner) : std::nullopt;
+}
+
+// The same for the equalities, when one of them, a polynomial around an inner point of the box, proves it.
+inline std::optional<Exact_point> only_corner_zero(const Constraint_system_d& system, const Exact_box& box)
+{
   Exact_point middle;
   for (const auto& [lower, upper] : box)
     middle.push_back((lower + upper) / Exact_rational(2));
-  for (const Spline_function& function : system.equalities()) {
-    const Power_polynomial f = polynomial_at(function, middle);
-    std::vector<int> degrees;
-    std::size_t size = 1;
-    for (std::size_t j = 0; j < n; ++j) {
-      degrees.push_back((std::max)(1, f.degree(static_cast<int>(j))));
-      size *= static_cast<std::size_t>(degrees.back()) + 1;
-    }
-    std::vector<Exact_rational> power(size, Exact_rational(0));
-    for (const auto& [monomial, coefficient] : f.terms()) {
-      std::size_t place = 0;
-      for (std::size_t j = 0; j < n; ++j)
-        place = place * (static_cast<std::size_t>(degrees[j]) + 1) + monomial.exponent(static_cast<int>(j));
-      power[place] = coefficient;
-    }
-    const auto tensor = Bernstein_tensor<Exact_rational>::from_power_on_box(degrees, power, box);
-    std::size_t zeros = 0, positive = 0, zero_place = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const CGAL::Sign sign = CGAL::sign(tensor.coefficients()[i]);
-      positive += sign == CGAL::POSITIVE;
-      if (sign == CGAL::ZERO) {
-        ++zeros;
-        zero_place = i;
-      }
-    }
-    if (zeros > 1 || (positive != 0 && positive != size - zeros))
-      continue;
-    Exact_point corner;
-    bool is_corner = true;
-    for (std::size_t j = n; zeros == 1 && j-- > 0;) {
-      const std::size_t k = zero_place % (static_cast<std::size_t>(degrees[j]) + 1);
-      zero_place /= static_cast<std::size_t>(degrees[j]) + 1;
-      is_corner = is_corner && (k == 0 || k == static_cast<std::size_t>(degrees[j]));
-      corner.insert(corner.begin(), k == 0 ? box[j].first : box[j].second);
-    }
-    if (is_corner)
+  for (const Spline_function& function : system.equalities())
+    if (const auto corner = only_corner_zero(polynomial_at(function, middle), box))
       return corner;
-  }
   return std::nullopt;
 }
 
@@ -267,7 +271,8 @@ std::vector<Continuum> take_segments(Power_polynomial& h, const Common_cell& cel
 }
 
 /*
-The solutions that a common factor makes in a cell. Small boxes beside them, in which nothing is proved, are appended to `open`: there the factor may have an isolated zero.
+The solutions that a common factor makes in a cell. Small boxes beside them, in which nothing is proved, are appended to `open`: there the factor may have an isolated zero. A box
+that is a point is one, and the only zero near by.
 */
 template <class Solve>
 std::vector<Continuum> continua_in(const Common_cell& cell, const Solve& solve, std::vector<Exact_box>& open)
@@ -279,6 +284,11 @@ std::vector<Continuum> continua_in(const Common_cell& cell, const Solve& solve, 
     result = take_segments(h, cell, solve, open);
   if (h.is_constant() && !h.is_zero())
     return result;
+  if (const auto corner = only_corner_zero(h, cell.box)) {
+    if (!corner->empty())
+      open.push_back(hull(*corner, *corner));
+    return result;
+  }
   const Hypersurface_cover cover(h, cell.inequalities, cell.box);
   for (const Exact_box& box : cover.regular_boxes())
     result.push_back({h.is_zero() ? n : n - 1, {box}, {}});
