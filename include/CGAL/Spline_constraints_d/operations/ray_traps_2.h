@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RAY_TRAPS_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RAY_TRAPS_2_H
+
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A closed path of a ray that is reflected once by each of some curves, one after the other.
+*/
+template <SplineKernel Kernel>
+class Ray_trap_2
+{
+  std::vector<typename Kernel::Point_2> m_points;
+  Solution_d<double> m_solution;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Ray_trap_2(std::vector<typename Kernel::Point_2> points, Solution_d<double> solution) : m_points(std::move(points)), m_solution(std::move(solution)) {}
+#endif
+
+  //! the points of reflection: of each curve the one in the middle of the range of its parameter.
+  const std::vector<typename Kernel::Point_2>& points() const { return m_points; }
+
+  //! the answer of the solver, with its proof: the unknowns are the parameters on the curves, in their order. Nothing is proved about an `UNDECIDED` one.
+  const Solution_d<double>& solution() const { return m_solution; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The ray-traps of some curves.
+*/
+template <SplineKernel Kernel>
+struct Ray_traps_2
+{
+  //! what was found: certified ones, clusters, families (a `CONTINUUM`, of which the middle of the cover is given), and what is undecided.
+  std::vector<Ray_trap_2<Kernel>> traps;
+
+  //! whether there are no others, by proof, and none is undecided; and the work of the solver.
+  Summary summary;
+};
+
+namespace internal {
+
+// The conditions for the ray that comes from `before` to be reflected towards `after` at the point of a curve, seed 000, equation 6: equal angles with the tangent T and the normal N, which
+// <in,T>/|in| = -<out,T>/|out| says, squared. The normal components have the same sign; they have opposite ones where the ray goes straight on. Where the ray comes back to where it came from, it
+// goes along the normal.
+inline std::vector<Constraint> reflection(const Vector_expression<2>& point, const Vector_expression<2>& tangent, const Vector_expression<2>& before, const Vector_expression<2>& after,
+                                          bool returns)
+{
+  const Vector_expression<2> in = before - point, out = after - point, normal = perpendicular(tangent);
+  if (returns)
+    return {dot(in, tangent) == 0, squared_norm(in) != 0};
+  return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in), dot(in, normal) * dot(out, normal) > 0};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all ray-traps of length \f$n \ge 2\f$: points \f$P_i = C_i(u_i)\f$, one on each curve, such that a ray from \f$P_{i-1}\f$ to \f$P_i\f$ is reflected there towards \f$P_{i+1}\f$, and after the last one
+towards the first. Curves do not stop rays: those that meet other points of the curves on their way count.
+
+These are \f$n\f$ equations in \f$n\f$ unknowns. Since the law of reflection is squared, they are also satisfied where the ray goes straight on; there an inequality is violated, which the solver proves.
+Rays that graze a curve are no traps. Traps of two curves are their common normals.
+A trap at the seam of a closed curve is reported with the first parameter of the seam.
+
+\tparam Curve a model of `ParametricCurve_2`.
+\throws Invalid_input for fewer than two curves; when the derivative of a curve is not continuous (the message says which curve and where: split it there); when an option makes no sense.
+
+Source: \cgalCite{ek-gcs-01}, section 3.1.
+*/
+template <ParametricCurve_2 Curve>
+Ray_traps_2<typename Curve::Kernel> ray_traps(const std::vector<Curve>& curves, const Solver_options& options = {})
+{
+  using Kernel = typename Curve::Kernel;
+  using Map = Spline_map<1, 2>;
+  const std::size_t n = curves.size();
+  if (n < 2)
+    throw Invalid_input("ray_traps: " + std::to_string(n) + " curves, at least 2 are needed");
+  std::vector<Map> maps;
+  std::vector<std::array<Bound, 2>> ranges;
+  for (const Curve& curve : curves) {
+    maps.emplace_back(curve);
+    ranges.push_back({Bound(maps.back().domain(0).first), Bound(maps.back().domain(0).second)});
+  }
+  const std::vector<Unknown> u = unknowns(ranges);
+
+  std::vector<Vector_expression<2>> points, tangents;
+  for (std::size_t i = 0; i < n; ++i)
+    try {
+      points.push_back(maps[i](u[i]));
+      tangents.push_back(derivative(maps[i])(u[i]));
+    } catch (const Invalid_input& error) {
+      throw Invalid_input("ray_traps: curve " + std::to_string(i) + ": " + error.what());
+    }
+  std::vector<Constraint> constraints;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (Constraint& constraint : internal::reflection(points[i], tangents[i], points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
+      constraints.push_back(std::move(constraint));
+    const auto& [begin, end] = maps[i].domain(0);
+    if (maps[i](std::array<Exact_rational, 1>{begin}) == maps[i](std::array<Exact_rational, 1>{end}))
+      constraints.push_back(u[i] < end);   // the seam once
+  }
+
+  const Solution_set_d<double> solutions = Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
+  Ray_traps_2<Kernel> result{{}, solutions.summary()};
+  for (const Solution_d<double>& solution : solutions) {
+    const auto box = solution.exact_box();
+    std::vector<typename Kernel::Point_2> reflections;
+    for (std::size_t i = 0; i < n; ++i) {   // enclosures may reach over the domain
+      const Exact_rational middle = (std::min)((std::max)(Exact_rational((box[i].first + box[i].second) / 2), maps[i].domain(0).first), maps[i].domain(0).second);
+      reflections.push_back(internal::kernel_object<Kernel, typename Kernel::Point_2>(maps[i](std::array<Exact_rational, 1>{middle})));
+    }
+    result.traps.emplace_back(std::move(reflections), solution);
+  }
+  return result;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_RAY_TRAPS_2_H

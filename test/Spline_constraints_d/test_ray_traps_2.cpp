@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Ray-traps with known answers.
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/ray_traps_2.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using SC::Exact_rational;
+using K = CGAL::Exact_predicates_exact_constructions_kernel;
+using Curve = SC::Bspline_curve_2<K>;
+
+double length(const std::vector<K::Point_2>& points)
+{
+  double result = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result += std::sqrt(CGAL::to_double(CGAL::squared_distance(points[i], points[(i + 1) % points.size()])));
+  return result;
+}
+
+// The pedal triangle is the only one; its perimeter is twice the area over the circumradius: 2 * 84 / (65/8).
+TEST(Ray_traps_2, PedalTriangle)
+{
+  const std::vector<K::Point_2> corners{{0, 0}, {14, 0}, {5, 12}};
+  std::vector<Curve> sides;
+  for (int i = 0; i < 3; ++i)   // without the corners, where two points are one
+    sides.push_back(SC::segment_curve(corners[i], corners[(i + 1) % 3]).restricted(K::FT(1) / 8, K::FT(7) / 8));
+  const auto result = SC::ray_traps(sides);
+  EXPECT_TRUE(result.summary.is_complete);
+  ASSERT_EQ(result.traps.size(), 1u);
+  EXPECT_TRUE(result.traps[0].solution().is_certified());
+  EXPECT_NEAR(length(result.traps[0].points()), 2 * 84 / (65.0 / 8), 1e-12);
+}
+
+// The line of centers meets each circle twice; one of the points is the seam of the first circle.
+TEST(Ray_traps_2, CommonNormalsOfCircles)
+{
+  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(5, 0), K::Point_2(5, 2))};
+  const auto result = SC::ray_traps(circles);
+  EXPECT_TRUE(result.summary.is_complete) << result.summary;
+  ASSERT_EQ(result.traps.size(), 4u);
+  std::vector<double> lengths;
+  for (const auto& trap : result.traps) {
+    EXPECT_TRUE(trap.solution().is_certified());
+    lengths.push_back(std::round(length(trap.points()) * 1e9) / 1e9);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_EQ(lengths, (std::vector<double>{4, 8, 12, 16}));
+}
+
+// Seed 000, Figure 2.
+TEST(Ray_traps_2, ThreeCircles)
+{
+  const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(5, 0), K::FT(2)), SC::circle_curve(K::Point_2(1, 6), K::FT(1))};
+  const auto result = SC::ray_traps(circles);
+  EXPECT_TRUE(result.summary.is_complete) << result.summary;
+  EXPECT_EQ(result.traps.size(), 8u);
+  const K::Point_2 centers[] = {{0, 0}, {5, 0}, {1, 6}};
+  for (const auto& trap : result.traps) {
+    EXPECT_TRUE(trap.solution().is_certified());
+    for (int i = 0; i < 3; ++i) {   // equal angles with the normal, on the same side
+      const K::Vector_2 normal = trap.points()[i] - centers[i], in = trap.points()[(i + 2) % 3] - trap.points()[i], out = trap.points()[(i + 1) % 3] - trap.points()[i];
+      const auto cosine = [&](const K::Vector_2& v) { return CGAL::to_double(v * normal) / std::sqrt(CGAL::to_double(v.squared_length())); };
+      EXPECT_NEAR(cosine(in), cosine(out), 1e-12);
+    }
+  }
+}
+
+TEST(Ray_traps_2, BadInput)
+{
+  EXPECT_THROW(SC::ray_traps(std::vector<Curve>{}), SC::Invalid_input);
+  EXPECT_THROW(SC::ray_traps(std::vector<Curve>{SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 0))}), SC::Invalid_input);
+  const std::vector<Curve> with_corner{SC::segment_curve(K::Point_2(0, 5), K::Point_2(1, 5)), SC::polyline_curve(std::vector<K::Point_2>{{0, 0}, {1, 1}, {2, 0}})};
+  EXPECT_THROW(SC::ray_traps(with_corner), SC::Invalid_input);
+}
+
+} // namespace
