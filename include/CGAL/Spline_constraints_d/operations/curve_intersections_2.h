@@ -170,6 +170,8 @@ for it, is reported with the first of them. Whether a common point is an end of 
 exact parameter ranges where one parameter is a linear function of the other.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
+\param c1 the first curve.
+\param c2 the second curve.
 \param options those of the solver; a tolerance concerns only what remains undecided.
 \throws Invalid_input when an option makes no sense.
 

@@ -81,8 +81,9 @@ public:
       is_mapped_inside = is_mapped_inside && std::abs(linear.centre(j)) + linear.reach(j) < 0.5;
       reach = linear.reach(j) > reach || std::isnan(linear.reach(j)) ? linear.reach(j) : reach;
     }
+    constexpr double largest_contraction = 1 - 0x1p-8;   // beyond, the region would be of no use for the refinement
     const double contraction = is_mapped_inside ? contraction_bound(view, linear, bounds) : HUGE_VAL;
-    return {contraction < 1 ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
+    return {contraction <= largest_contraction ? Image_test::ONE_ROOT : Image_test::OPEN, contraction, reach};
   }
 
   // The rounding error, that of the analysis included, has become visible beside what the equations leave undecided.

@@ -188,8 +188,8 @@ public:
     Root_enclosure<Coordinate> result;
     for (int j = 0; j < n; ++j) {
       const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
-      result.lower.push_back(below(m_best[j], radius));
-      result.upper.push_back(above(m_best[j], radius));
+      result.lower.push_back((std::max)(below(m_best[j], radius), region.lower[j]));   // beyond the region there may be others
+      result.upper.push_back((std::min)(above(m_best[j], radius), region.upper[j]));
     }
     result.error = best;
     return result;
