@@ -120,6 +120,24 @@ public:
     return m_weight == nullptr ? result : internal::united(result, m_weight->breaks()[axis]);
   }
 
+  //! whether both ends of an axis carry the same points at the same parameters, exactly.
+  bool is_closed(int axis = 0) const
+  {
+    const auto [begin, end] = m_domain[axis];
+    const auto scaled = [&](int i, const Exact_rational& own, const Exact_rational& other) {   // by the weight of the other end, so that the numerators can be compared
+      internal::Integer_spline result = m_coordinates[i]->face(axis, own);
+      for (int k = 0; k < m_weight_exponent; ++k)
+        result = result * m_weight->face(axis, other);
+      return result;
+    };
+    for (int i = 0; i < dimension_; ++i) {
+      const internal::Integer_spline jump = internal::Integer_spline::difference(scaled(i, begin, end), scaled(i, end, begin), 1);
+      if (!jump.is_constant() || jump.constant() != Exact_rational(0))
+        return false;
+    }
+    return true;
+  }
+
   //! the map on a part of its domain; parameters keep their meaning. Between successive breaks every derivative exists.
   //! \throws Invalid_input when the part is empty or not within the domain.
   Spline_map restricted(int axis, const Exact_rational& begin, const Exact_rational& end) const

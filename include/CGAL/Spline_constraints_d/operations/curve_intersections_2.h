@@ -6,19 +6,130 @@
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
-#include <CGAL/Spline_constraints_d/operations/Curve_intersection_2.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <ostream>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+What is known of an intersection of two curves.
+*/
+enum class Intersection_kind {
+  TRANSVERSAL,   ///< one common point, where both curves are regular and cross (on a knot, on both sides of it)
+  TANGENT,       ///< one common point that counts several times: the curves touch, or one of them is singular there
+  END_POINT,     ///< one common point that counts once, at an end of at least one of the curves, or on the seam of a closed one
+  OVERLAP,       ///< a piece of one curve lies on the other
+  UNDECIDED      ///< nothing is proved: there may be common points with these parameters
+};
+
+//! \ingroup PkgSplineConstraintsDOperations
+//! writes `transversal`, `tangent`, `end point`, `overlap` or `undecided`.
+inline std::ostream& operator<<(std::ostream& out, Intersection_kind kind)
+{
+  static const char* const names[] = {"transversal", "tangent", "end point", "overlap", "undecided"};
+  return out << names[static_cast<int>(kind)];
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+An intersection of two curves in the plane: parameters on both, within ranges that are proved to hold those of the common point, or of the common piece.
+*/
+template <SplineKernel Kernel>
+class Curve_intersection_2
+{
+public:
+  //! a closed range of a parameter.
+  using Range = std::pair<Exact_rational, Exact_rational>;
+
+private:
+  Intersection_kind m_kind;
+  std::array<Point_on_spline<Kernel, 1, 2>, 2> m_points;
+  std::array<bool, 2> m_is_at_end;
+  Solution_d<double> m_solution;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Curve_intersection_2(Intersection_kind kind, std::array<Point_on_spline<Kernel, 1, 2>, 2> points, const std::array<bool, 2>& is_at_end, Solution_d<double> solution)
+    : m_kind(kind), m_points(std::move(points)), m_is_at_end(is_at_end), m_solution(std::move(solution))
+  {}
+#endif
+
+  //! what is proved.
+  Intersection_kind kind() const { return m_kind; }
+
+  //! the parameters on the first (0) or second (1) curve: those of a common point lie in the range; those of an overlap, proved to be a segment, are the range.
+  const Range& parameter_range(std::size_t curve) const { return m_points[curve].parameter_range(); }
+
+  //! the middle of the range, rounded to double.
+  double parameter(std::size_t curve) const { return m_points[curve].parameter(); }
+
+  //! the point of the first curve in the middle of its range. Where the range is one number and the kernel exact, it is the common point itself.
+  const typename Kernel::Point_2& point() const { return m_points[0].point(); }
+
+  //! whether the common point is an end of the first (0) or second (1) curve, decided exactly; the seam of a closed curve is one.
+  bool is_at_end(std::size_t curve) const { return m_is_at_end[curve]; }
+
+  //! how often the common point counts; 1 when the curves cross, 0 when not known.
+  int multiplicity() const { return m_solution.multiplicity(); }
+
+  //! the answer of the solver, with its proof: the unknowns are the two parameters.
+  const Solution_d<double>& solution() const { return m_solution; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The intersections of two curves in the plane, those of one kind after another.
+*/
+template <SplineKernel Kernel>
+class Curve_intersections_2
+{
+  std::vector<Curve_intersection_2<Kernel>> m_intersections;
+  Summary m_summary;
+
+public:
+  using const_iterator = typename std::vector<Curve_intersection_2<Kernel>>::const_iterator;
+
+#ifndef DOXYGEN_RUNNING
+  Curve_intersections_2(std::vector<Curve_intersection_2<Kernel>> intersections, const Summary& summary)
+    : m_intersections(std::move(intersections)), m_summary(summary)
+  {
+    std::stable_sort(m_intersections.begin(), m_intersections.end(), [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
+    m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
+  }
+#endif
+
+  const_iterator begin() const { return m_intersections.begin(); }
+  const_iterator end() const { return m_intersections.end(); }
+  std::size_t size() const { return m_intersections.size(); }
+  bool empty() const { return m_intersections.empty(); }
+  const Curve_intersection_2<Kernel>& operator[](std::size_t i) const { return m_intersections[i]; }
+
+  //! number of intersections of a kind.
+  std::size_t count(Intersection_kind kind) const
+  {
+    return std::count_if(begin(), end(), [=](const auto& intersection) { return intersection.kind() == kind; });
+  }
+
+  //! whether there are no others, by proof, and none is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
+};
 
 namespace internal {
 
@@ -46,16 +157,12 @@ class Curve_intersector_2
 
   std::array<Map, 2> m_curves;
   Subdivision_solver_d<Certified_solver_traits> m_solver;
-  std::array<bool, 2> m_is_closed;
   std::vector<Incidence> m_incidences;
 
 public:
   Curve_intersector_2(const Map& c1, const Map& c2, const Solver_options& options)
     : m_curves{c1, c2}, m_solver(options)
-  {
-    for (std::size_t i = 0; i < 2; ++i)
-      m_is_closed[i] = end_point(i, false) == end_point(i, true);
-  }
+  {}
 
   Curve_intersections_2<Kernel> operator()()
   {
@@ -108,7 +215,7 @@ private:
         const std::size_t i = incidence.curve;
         box[i] = {incidence.end, incidence.end};
         is_at_end[i] = true;
-        is_repeated = is_repeated || (incidence.is_upper && m_is_closed[i]);
+        is_repeated = is_repeated || (incidence.is_upper && m_curves[i].is_closed());
         if (kind != Intersection_kind::TANGENT)
           kind = Intersection_kind::END_POINT;
       }
@@ -150,11 +257,8 @@ private:
 
   Curve_intersection_2<Kernel> made(Intersection_kind kind, const Solution& solution, const Box& box, const std::array<bool, 2>& is_at_end) const
   {
-    std::array<Range, 2> ranges;
-    for (std::size_t i = 0; i < 2; ++i)   // enclosures may reach over the domain
-      ranges[i] = {(std::max)(box[i].first, end(i, false)), (std::min)(box[i].second, end(i, true))};
-    const std::array<Exact_rational, 2> middle = m_curves[0](Parameter{(ranges[0].first + ranges[0].second) / 2});
-    return {kind, ranges, kernel_object<Kernel, typename Kernel::Point_2>(middle), is_at_end, solution};
+    using Point = Point_on_spline<Kernel, 1, 2>;
+    return {kind, std::array<Point, 2>{Point(m_curves[0], {box[0]}), Point(m_curves[1], {box[1]})}, is_at_end, solution};
   }
 };
 

@@ -6,11 +6,11 @@
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -72,6 +72,44 @@ inline std::vector<Constraint> reflection(const Vector_expression<2>& point, con
   return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in), dot(in, normal) * dot(out, normal) > 0};
 }
 
+// The reflection at each curve; parameters of closed curves without the upper end, so that the seam counts once.
+inline std::vector<Constraint> ray_trap_constraints(const std::vector<Spline_map<1, 2>>& curves)
+{
+  const std::size_t n = curves.size();
+  std::vector<std::array<Bound, 2>> ranges;
+  for (const auto& curve : curves)
+    ranges.push_back({Bound(curve.domain(0).first), Bound(curve.domain(0).second)});
+  const std::vector<Unknown> u = unknowns(ranges);
+
+  std::vector<Vector_expression<2>> points, tangents;
+  for (std::size_t i = 0; i < n; ++i)
+    try {
+      points.push_back(curves[i](u[i]));
+      tangents.push_back(derivative(curves[i])(u[i]));
+    } catch (const Invalid_input& error) {
+      throw Invalid_input("ray_traps: curve " + std::to_string(i) + ": " + error.what());
+    }
+
+  std::vector<Constraint> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (Constraint& constraint : reflection(points[i], tangents[i], points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
+      result.push_back(std::move(constraint));
+    if (curves[i].is_closed())
+      result.push_back(u[i] < curves[i].domain(0).second);
+  }
+  return result;
+}
+
+template <SplineKernel Kernel>
+Ray_trap_2<Kernel> ray_trap(const std::vector<Spline_map<1, 2>>& curves, const Solution_d<double>& solution)
+{
+  const auto box = solution.exact_box();
+  std::vector<typename Kernel::Point_2> points;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    points.push_back(Point_on_spline<Kernel, 1, 2>(curves[i], {box[i]}).point());
+  return {std::move(points), solution};
+}
+
 } // namespace internal
 
 /*!
@@ -92,47 +130,13 @@ Source: \cgalCite{ek-gcs-01}, section 3.1.
 template <ParametricCurve_2 Curve>
 Ray_traps_2<typename Curve::Kernel> ray_traps(const std::vector<Curve>& curves, const Solver_options& options = {})
 {
-  using Kernel = typename Curve::Kernel;
-  using Map = Spline_map<1, 2>;
-  const std::size_t n = curves.size();
-  if (n < 2)
-    throw Invalid_input("ray_traps: " + std::to_string(n) + " curves, at least 2 are needed");
-  std::vector<Map> maps;
-  std::vector<std::array<Bound, 2>> ranges;
-  for (const Curve& curve : curves) {
-    maps.emplace_back(curve);
-    ranges.push_back({Bound(maps.back().domain(0).first), Bound(maps.back().domain(0).second)});
-  }
-  const std::vector<Unknown> u = unknowns(ranges);
-
-  std::vector<Vector_expression<2>> points, tangents;
-  for (std::size_t i = 0; i < n; ++i)
-    try {
-      points.push_back(maps[i](u[i]));
-      tangents.push_back(derivative(maps[i])(u[i]));
-    } catch (const Invalid_input& error) {
-      throw Invalid_input("ray_traps: curve " + std::to_string(i) + ": " + error.what());
-    }
-  std::vector<Constraint> constraints;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (Constraint& constraint : internal::reflection(points[i], tangents[i], points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
-      constraints.push_back(std::move(constraint));
-    const auto& [begin, end] = maps[i].domain(0);
-    if (maps[i](std::array<Exact_rational, 1>{begin}) == maps[i](std::array<Exact_rational, 1>{end}))
-      constraints.push_back(u[i] < end);   // the seam once
-  }
-
-  const Solution_set_d<double> solutions = Subdivision_solver_d<Certified_solver_traits>(options)(make_system(constraints));
-  Ray_traps_2<Kernel> result{{}, solutions.summary()};
-  for (const Solution_d<double>& solution : solutions) {
-    const auto box = solution.exact_box();
-    std::vector<typename Kernel::Point_2> reflections;
-    for (std::size_t i = 0; i < n; ++i) {   // enclosures may reach over the domain
-      const Exact_rational middle = (std::min)((std::max)(Exact_rational((box[i].first + box[i].second) / 2), maps[i].domain(0).first), maps[i].domain(0).second);
-      reflections.push_back(internal::kernel_object<Kernel, typename Kernel::Point_2>(maps[i](std::array<Exact_rational, 1>{middle})));
-    }
-    result.traps.emplace_back(std::move(reflections), solution);
-  }
+  if (curves.size() < 2)
+    throw Invalid_input("ray_traps: " + std::to_string(curves.size()) + " curves, at least 2 are needed");
+  const std::vector<Spline_map<1, 2>> maps(curves.begin(), curves.end());
+  const Solution_set_d<double> solutions = Subdivision_solver_d<Certified_solver_traits>(options)(make_system(internal::ray_trap_constraints(maps)));
+  Ray_traps_2<typename Curve::Kernel> result{{}, solutions.summary()};
+  for (const Solution_d<double>& solution : solutions)
+    result.traps.push_back(internal::ray_trap<typename Curve::Kernel>(maps, solution));
   return result;
 }
 

@@ -212,6 +212,28 @@ public:
     return Integer_spline(std::move(result), m_denominator);
   }
 
+  // On the face where an axis has a value, as a function that is constant along it.
+  Integer_spline face(int axis, const Exact_rational& value) const
+  {
+    const Integer_spline slab = restricted(axis, value, value);
+    const Axis_view view = axis_view(slab.degrees(), axis);
+    const Big_integer p = numerator_of(value), q = denominator_of(value);
+    Integer_pieces<Big_integer> result{slab.degrees(), slab.breaks(), {}};
+    result.degrees[axis] = 0;
+    result.breaks[axis].clear();
+    for (const auto& piece : slab.pieces()) {
+      auto& values = result.pieces.emplace_back();
+      for (std::size_t o = 0; o < view.outer; ++o)
+        for (std::size_t i = 0; i < view.inner; ++i) {
+          Big_integer sum = 0, power_of_q = 1;
+          for (int k = view.degree; k >= 0; --k, power_of_q *= q)
+            sum = Big_integer(sum * p + piece[(o * (view.degree + 1) + k) * view.inner + i] * power_of_q);
+          values.push_back(std::move(sum));
+        }
+    }
+    return Integer_spline(std::move(result), Big_integer(m_denominator * pow(q, static_cast<unsigned>(view.degree))));
+  }
+
   Integer_spline operator-() const
   {
     Integer_spline result(*this);
