@@ -20,8 +20,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
-
 /*
 Boxes that cover the zeros of one polynomial h that satisfy some inequalities. A box is
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+#include <CGAL/Spline_constraints_d/solver/algebraic_position.h>
 #include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
@@ -97,8 +98,6 @@ inline bool vanishes_at(const Spline_function& function, const std::vector<Exact
   return !(std::abs(sum) > error && size < 0x1p900 && size > 0x1p-900) && CGAL::is_zero(evaluate_exactly(function, point));
 }
 
-enum class Position { INSIDE, OUTSIDE, ON_DOMAIN_BOUNDARY, ON_INEQUALITY, ON_EQUALITY };
-
 /*
 Decides whether the root in an enclosure lies in the domain and satisfies the inequalities: by the enclosure at hand, by the simplest rational
 point in it (if that is a root, it is *the* root, and everything is decided exactly), and by the same two for enclosures of 200 and 800 bits. Last, by those
@@ -159,10 +158,39 @@ public:
         return exact.second;
     }
     m_values = rational_coordinates(m_system, exact_region, fine);
-    return position_of(fine);
+    position = position_of(fine);
+    return position == Position::INSIDE || position == Position::OUTSIDE ? position : position_of_algebraic_root(exact_region, fine, position);
   }
 
 private:
+  // By exact signs at a root of n of the equalities: in the region it is the one that is asked for if it satisfies the others, and otherwise there is none.
+  Position position_of_algebraic_root(const Certified_region<Exact_rational>& region, const Root_enclosure<Exact_rational>& enclosure, Position unknown)
+  {
+    Exact_box box;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const Exact_rational lower = (enclosure.lower[j] + region.lower[j]) / Exact_rational(2), upper = (enclosure.upper[j] + region.upper[j]) / Exact_rational(2);
+      const Exact_rational reach(0x1p-80);   // a small box, but much wider than the enclosure
+      box.emplace_back((std::max)(lower, Exact_rational(enclosure.lower[j] - reach)), (std::min)(upper, Exact_rational(enclosure.upper[j] + reach)));
+    }
+    const auto equalities = integer_equalities(m_system, box);
+    if (!equalities || box.size() < 2)
+      return unknown;
+    const std::vector<Power_polynomial> ordered = independent_first(*equalities, middle_of(box));
+    if (ordered.empty())
+      return unknown;
+    auto root = Algebraic_root::in(Algebraic_equations({ordered.begin(), ordered.begin() + m_layout.dimension}, false), box);
+    if (!root)
+      return unknown;
+    for (std::size_t i = m_layout.dimension; i < ordered.size(); ++i) {
+      const auto sign = root->sign_of(ordered[i]);
+      if (!sign)
+        return Position::ON_EQUALITY;
+      if (*sign != CGAL::ZERO)
+        return Position::OUTSIDE;
+    }
+    return algebraic_position(m_system, *root);
+  }
+
   template <class C>
   Position position_of(const Root_enclosure<C>& enclosure)
   {

@@ -29,16 +29,22 @@ typename Solution_d<Coordinate>::Box make_box(const std::vector<Coordinate>& low
   return box;
 }
 
+// Why a root is undecided that has a proof.
+inline Undecided_reason reason_of(Position position)
+{
+  return position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
+         : position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
+         : position == Position::ON_EQUALITY      ? Undecided_reason::OVERDETERMINED
+                                                  : Undecided_reason::NONE;
+}
+
 // A regular root, unless it lies outside of the domain.
 template <class NT, class Coordinate>
 void report_root(const Found_root<Coordinate>& root, std::vector<Solution_d<Coordinate>>& solutions)
 {
   if (root.position == Position::OUTSIDE)
     return;
-  const Undecided_reason reason = root.position == Position::ON_DOMAIN_BOUNDARY ? Undecided_reason::DOMAIN_BOUNDARY
-                                  : root.position == Position::ON_INEQUALITY    ? Undecided_reason::INEQUALITY
-                                  : root.position == Position::ON_EQUALITY      ? Undecided_reason::OVERDETERMINED
-                                                                                : Undecided_reason::NONE;
+  const Undecided_reason reason = reason_of(root.position);
   const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
   solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),
                          Number_traits<NT>::name, reason, 1);

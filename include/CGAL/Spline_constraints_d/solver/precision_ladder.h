@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
-#include <CGAL/Spline_constraints_d/solver/nearly_double_root.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <algorithm>
@@ -44,6 +44,7 @@ class Precision_ladder
   Run_control& m_control;
   Summary& m_summary;
   std::size_t m_node_limit;
+  std::vector<Double_root_search> m_double_roots;
   // Bounds what is spent on what no precision decides.
   static constexpr std::size_t m_budget = 5000;
 
@@ -58,11 +59,13 @@ public:
   }
 
   // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
-  // that is not regular, or looks like one, and not when the box is large or a limit was reached.
+  // that is not regular, and not when the box is large or a limit was reached.
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
-    const bool is_open = answer.reason() == Undecided_reason::TOLERANCE && !is_nearly_double_root(m_system, box, 2 * m_options.ladder_precision);
+    const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
+    if (is_open && report_double_root(box, solutions))
+      return;
     if (is_regular || is_open)
       climb(box, answer, solutions);
     else
@@ -70,6 +73,40 @@ public:
   }
 
 private:
+  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing, or what another box did.
+  bool report_double_root(const Open_box<double>& box, std::vector<Solution_d<double>>& solutions)
+  {
+    Exact_box ranges;
+    for (std::size_t j = 0; j < box.lower.size(); ++j)
+      ranges.emplace_back(Exact_rational(box.lower[j]), Exact_rational(box.upper[j]));
+    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), [&](const Double_root_search& known) { return known.covers(ranges); }))
+      return true;
+    Double_root_search search = search_double_root(m_system, ranges);
+    std::vector<Algebraic_root> roots;
+    if (search.outcome == Double_root_search::DOUBLE_ROOT)
+      roots.push_back(*search.root);
+    else if (search.outcome == Double_root_search::CLOSE_ROOTS)
+      roots = close_roots(m_system, search);
+    if (roots.empty() && search.outcome != Double_root_search::NO_ROOT)
+      return false;
+    for (Algebraic_root& root : roots)
+      report(root, roots.size() == 1, solutions);
+    m_double_roots.push_back(std::move(search));
+    return true;
+  }
+
+  void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
+  {
+    const Position position = algebraic_position(m_system, root);
+    if (position == Position::OUTSIDE)
+      return;
+    const int bits = (std::max)(m_options.ladder_precision, static_cast<int>(root.bits_of_width()));
+    root.refine(bits);
+    const Undecided_reason reason = reason_of(position);
+    const Solution_kind kind = reason != Undecided_reason::NONE ? Solution_kind::UNDECIDED : is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;
+    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_double ? Exact_box() : root.region(), Number_traits<Number>::name, reason, is_double ? 2 : 1), bits);
+  }
+
   // The solution that is known in a cluster is regular: it is the only one in a much smaller box around it.
   bool holds_regular_solution(const Open_box<double>& box) const
   {

@@ -1,0 +1,343 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALGEBRAIC_ROOT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALGEBRAIC_ROOT_H
+
+#include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
+#include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Polynomial_jets.h>
+#include <CGAL/Spline_constraints_d/solver/internal/zero_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
+
+/*
+n equations in n unknowns: polynomials; or the first n - 1 of n polynomials and the determinant of the Jacobian of all of them, which is zero at their multiple roots. The determinant is not
+expanded.
+*/
+class Algebraic_equations
+{
+  using Number = Mpfr_interval;
+
+  std::vector<Power_polynomial> m_polynomials;
+  bool m_ends_with_determinant;
+
+public:
+  // Values, and derivatives in row-major order.
+  struct Values
+  {
+    std::vector<Number> values, jacobian;
+  };
+
+  // With integer coefficients.
+  Algebraic_equations(std::vector<Power_polynomial> polynomials, bool ends_with_determinant)
+    : m_polynomials(std::move(polynomials)), m_ends_with_determinant(ends_with_determinant)
+  {}
+
+  std::size_t dimension() const { return m_polynomials.size(); }
+  const std::vector<Power_polynomial>& polynomials() const { return m_polynomials; }
+
+  Values operator()(const std::vector<Number>& box) const
+  {
+    const std::size_t n = dimension();
+    const Polynomial_jets jets(m_polynomials, box, m_ends_with_determinant ? 2 : 1);
+    Values result;
+    for (std::size_t i = 0; i < n; ++i) {
+      result.values.push_back(jets.value(i));
+      for (std::size_t j = 0; j < n; ++j)
+        result.jacobian.push_back(jets.gradient(i, j));
+    }
+    if (m_ends_with_determinant) {
+      const std::vector<Number> jacobian = result.jacobian;
+      result.values.back() = determinant(jacobian, n);
+      for (std::size_t k = 0; k < n; ++k) {
+        Number derivative(0);
+        for (std::size_t i = 0; i < n; ++i) {   // by the product rule, row by row
+          std::vector<Number> matrix = jacobian;
+          for (std::size_t j = 0; j < n; ++j)
+            matrix[i * n + j] = jets.hessian(i, j, k);
+          derivative += determinant(matrix, n);
+        }
+        result.jacobian[(n - 1) * n + k] = derivative;
+      }
+    }
+    return result;
+  }
+
+  // The sizes that the zero bound needs; those of the determinant follow from those of the polynomials.
+  Polynomial_size size() const
+  {
+    const std::size_t n = dimension();
+    Polynomial_size result, determinant{0, std::lgamma(static_cast<double>(n) + 1) / std::log(2.0)};
+    for (std::size_t i = 0; i < n; ++i) {
+      const Polynomial_size own = size_of(m_polynomials[i]);
+      if (!m_ends_with_determinant || i + 1 < n)
+        result = larger(result, own);
+      determinant.degree += (std::max)(own.degree - 1, 0);
+      determinant.bits += own.bits + std::log2((std::max)(own.degree, 1));   // each entry of a row: derivatives of one polynomial
+    }
+    return m_ends_with_determinant ? larger(result, determinant) : result;
+  }
+
+  // Along the first row. Division would not do: intervals that hold zero are no pivots.
+  static Number determinant(const std::vector<Number>& matrix, std::size_t n)
+  {
+    if (n == 1)
+      return matrix[0];
+    Number sum(0);
+    for (std::size_t c = 0; c < n; ++c) {
+      std::vector<Number> minor;
+      for (std::size_t i = 1; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          if (j != c)
+            minor.push_back(matrix[i * n + j]);
+      const Number term = matrix[c] * determinant(minor, n - 1);
+      if (c % 2 == 0)
+        sum += term;
+      else
+        sum -= term;
+    }
+    return sum;
+  }
+};
+
+/*
+A regular real root of n equations in n unknowns, the only one in the box that it was found in: its enclosure can be made as narrow as is asked for, and the sign of a polynomial at the root is
+decided, zero as well: a polynomial that is not zero there is larger than the `zero_bound()`.
+*/
+class Algebraic_root
+{
+  using Number = Mpfr_interval;
+
+  // Beyond this a sign takes many seconds.
+  static constexpr double m_most_bits = 1 << 18;
+
+  Algebraic_equations m_equations;
+  std::vector<Number> m_box;
+  Exact_box m_region;
+  double m_contraction = 0;
+  CGAL::Sign m_orientation = CGAL::ZERO;
+
+  Algebraic_root(Algebraic_equations equations, std::vector<Number> box) : m_equations(std::move(equations)), m_box(std::move(box)) {}
+
+public:
+  // Proves by Krawczyk's operator that there is one root in the box; nothing when that fails.
+  static std::optional<Algebraic_root> in(const Algebraic_equations& equations, const Exact_box& box)
+  {
+    long bits = 256;
+    for (const auto& [lower, upper] : box)   // values are as small as the box times the smallest slope, which near another root is as small as the box
+      bits = (std::max)(bits, 256 + 3 * bit_length(denominator_of(Exact_rational(upper - lower))));
+    const Mpfr_precision_scope scope(bits);
+    std::vector<Number> numbers;
+    for (const auto& [lower, upper] : box)
+      numbers.emplace_back(lower, upper);
+    Algebraic_root root(equations, std::move(numbers));
+    const auto image = root.krawczyk_image(bits);
+    if (!image)
+      return std::nullopt;
+    for (std::size_t j = 0; j < box.size(); ++j)
+      if (mpfr_cmp((*image)[j].lower_mpfr(), root.m_box[j].lower_mpfr()) <= 0 || mpfr_cmp((*image)[j].upper_mpfr(), root.m_box[j].upper_mpfr()) >= 0)
+        return std::nullopt;
+    const auto orientation = Algebraic_equations::determinant(root.m_equations(root.m_box).jacobian, box.size()).sign();
+    if (!orientation.is_certain())
+      return std::nullopt;
+    root.m_orientation = orientation.make_certain();
+    root.m_box = *image;
+    root.m_region = box;
+    return root;
+  }
+
+  // A few steps of Newton's method: a guess of a root, with some bits.
+  static std::vector<Exact_rational> guess(const Algebraic_equations& equations, std::vector<Exact_rational> point, int bits = 256)
+  {
+    const std::size_t n = point.size();
+    const Mpfr_precision_scope scope(bits);
+    for (int step = 0, steps = 10; step < steps; ++step) {
+      const auto at_point = equations(std::vector<Number>(point.begin(), point.end()));
+      const std::vector<Number> inverse = inverse_of_middle(at_point.jacobian, n);
+      if (inverse.empty())
+        return {};
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < n; ++k)
+          point[i] -= Number(inverse[i * n + k] * at_point.values[k]).midpoint();
+      for (Exact_rational& x : point)
+        x = round_to_dyadic(x, bits);
+    }
+    return point;
+  }
+
+  // The largest sum of a row of |I - C J| on the box of the proof, with its radii as weights.
+  double contraction() const { return m_contraction; }
+
+  // The sign of the determinant of the Jacobian of the equations on this box.
+  CGAL::Sign orientation() const { return m_orientation; }
+
+  // The box in which it was proved to be alone.
+  const Exact_box& region() const { return m_region; }
+
+  // An enclosure, narrower after each refinement.
+  Exact_box box() const
+  {
+    Exact_box result;
+    for (const Number& x : m_box)
+      result.emplace_back(x.lower(), x.upper());
+    return result;
+  }
+
+  // It is not wider than 2^-bits.
+  long bits_of_width() const
+  {
+    double result = HUGE_VAL;
+    for (const Number& x : m_box) {
+      Number width = x;
+      width -= x;
+      result = (std::min)(result, bits_of_size(width));
+    }
+    return static_cast<long>((std::min)(result, 0x1p60));
+  }
+
+  // Until the box is not wider than 2^-bits. False when rounding does not let it become so narrow.
+  bool refine(long bits)
+  {
+    for (long reached = bits_of_width(); reached < bits;) {
+      const long precision = (std::min)(2 * (std::max)(reached, 32L), bits) + 96;
+      const Mpfr_precision_scope scope(precision);
+      const auto image = krawczyk_image(precision);
+      if (!image)
+        return false;
+      for (std::size_t j = 0; j < m_box.size(); ++j)
+        m_box[j] = intersection(m_box[j], (*image)[j]);
+      const long next = bits_of_width();
+      if (next < reached + 4)
+        return false;
+      reached = next;
+    }
+    return true;
+  }
+
+  // Of a polynomial at the root; nothing when that would take too many bits.
+  std::optional<CGAL::Sign> sign_of(const Power_polynomial& polynomial)
+  {
+    if (polynomial.is_constant())
+      return CGAL::sign(polynomial.constant_term());
+    const auto scaled = with_integer_coefficients(polynomial);
+    if (!scaled)
+      return std::nullopt;
+    const double bound = zero_bound_bits(m_equations.dimension(), larger(m_equations.size(), size_of(*scaled)));
+    const double last = bound + size_of(*scaled).bits + 64;   // the value is about as small as the box is narrow
+    for (double bits = 256; bits <= m_most_bits; bits = (std::min)(2 * bits, last)) {
+      if (!refine(static_cast<long>(bits)))
+        return std::nullopt;
+      const Number value = value_at_root(*scaled, static_cast<long>(bits));
+      if (const auto sign = value.sign(); sign.is_certain())
+        return sign.make_certain();
+      if (bits_of_size(value) > bound)
+        return CGAL::ZERO;
+      if (bits >= last)
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // Of numbers, whatever their rounding errors: any matrix near the inverse serves.
+  static std::vector<Number> inverse_of_middle(const std::vector<Number>& jacobian, std::size_t n)
+  {
+    std::vector<Number> rows(2 * n * n, Number(0));
+    for (std::size_t i = 0; i < n; ++i) {
+      rows[2 * n * i + n + i] = Number(1);
+      for (std::size_t j = 0; j < n; ++j) {
+        if (!jacobian[i * n + j].is_bounded())
+          return {};
+        rows[2 * n * i + j] = Number(jacobian[i * n + j].midpoint());
+      }
+    }
+    const std::vector<int> row_of = gauss_jordan(rows, 2 * n, n, n, [](const Number& x) { return x.is_bounded() ? std::abs(CGAL::to_double(x.midpoint())) : 0.0; });
+    std::vector<Number> result;
+    for (std::size_t i = 0; i < n && !row_of.empty(); ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const Number& entry = rows[2 * n * row_of[i] + n + j];
+        if (!entry.is_bounded())
+          return {};
+        result.emplace_back(entry.midpoint());
+      }
+    return result;
+  }
+
+private:
+  Number value_at_root(const Power_polynomial& polynomial, long bits) const
+  {
+    const Mpfr_precision_scope scope(bits + 128);
+    return Polynomial_jets(std::span<const Power_polynomial>(&polynomial, 1), m_box, 0).value(0);
+  }
+
+  // Every number in x has at least so many zeros behind the binary point.
+  static double bits_of_size(const Number& x)
+  {
+    const auto of_end = [](mpfr_srcptr end) { return mpfr_zero_p(end) ? HUGE_VAL : mpfr_number_p(end) ? -static_cast<double>(mpfr_get_exp(end)) : -HUGE_VAL; };
+    return (std::min)(of_end(x.lower_mpfr()), of_end(x.upper_mpfr()));
+  }
+
+  static Number intersection(const Number& a, const Number& b)
+  {
+    const Exact_rational lower = (std::max)(a.lower(), b.lower()), upper = (std::min)(a.upper(), b.upper());
+    return Number(lower, upper, (std::max)(a.precision(), b.precision()));
+  }
+
+  /*
+  c - C f(c) + (I - C J(X)) (X - c), with the middle c of the box X. All roots in X lie in it; if it lies in the interior of X, there is exactly one (Krawczyk 1969).
+  */
+  std::optional<std::vector<Number>> krawczyk_image(long precision)
+  {
+    const std::size_t n = m_box.size();
+    std::vector<Number> centre, offset;
+    for (const Number& x : m_box) {
+      centre.emplace_back(round_to_dyadic(x.midpoint(), static_cast<int>(precision)));
+      offset.push_back(x - centre.back());
+    }
+    const auto at_centre = m_equations(centre), on_box = m_equations(m_box);
+    const std::vector<Number> inverse = inverse_of_middle(on_box.jacobian, n);
+    if (inverse.empty())
+      return std::nullopt;
+    std::vector<Number> image;
+    m_contraction = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      Number sum = centre[i];
+      double row = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        sum -= inverse[i * n + k] * at_centre.values[k];
+      for (std::size_t j = 0; j < n; ++j) {
+        Number entry(i == j ? 1 : 0);
+        for (std::size_t k = 0; k < n; ++k)
+          entry -= inverse[i * n + k] * on_box.jacobian[k * n + j];
+        sum += entry * offset[j];
+        const auto [lower, upper] = entry.to_double_interval();
+        row += (std::max)(-lower, upper) * (offset[j].width() / offset[i].width()) * (1 + 1e-12);
+      }
+      if (!sum.is_bounded())
+        return std::nullopt;
+      m_contraction = (std::max)(m_contraction, row);
+      image.push_back(std::move(sum));
+    }
+    return image;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ALGEBRAIC_ROOT_H
