@@ -32,7 +32,7 @@ struct Solver_options
   //! bits after the binary point that enclosures with rational coordinates aim at, and the precision of multiprecision numbers; at most 900.
   int precision = 128;
 
-  //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below 128: it does not climb. At most 900.
+  //! the precision up to which `Certified_solver_traits` climbs for boxes that doubles cannot decide, in bits; below 128: it does not climb; 0: nor does it look for irrational double roots. At most 900.
   int ladder_precision = 256;
 
   //! whenever so many boxes have ended at the tolerance, the tolerance grows: a continuum of solutions is covered, not resolved.

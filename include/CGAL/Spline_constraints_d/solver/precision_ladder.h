@@ -64,7 +64,7 @@ public:
   {
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
-    if (is_open && report_double_root(box, solutions))
+    if (is_open && m_options.ladder_precision > 0 && report_double_root(box, solutions))
       return;
     if (is_regular || is_open)
       climb(box, answer, solutions);
@@ -100,7 +100,7 @@ private:
     const Position position = algebraic_position(m_system, root);
     if (position == Position::OUTSIDE)
       return;
-    const int bits = (std::max)(m_options.ladder_precision, static_cast<int>(root.bits_of_width()));
+    const int bits = static_cast<int>((std::max)(root.bits_of_width(), 128L));
     root.refine(bits);
     const Undecided_reason reason = reason_of(position);
     const Solution_kind kind = reason != Undecided_reason::NONE ? Solution_kind::UNDECIDED : is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;

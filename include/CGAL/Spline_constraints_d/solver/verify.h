@@ -86,10 +86,11 @@ Rump, Solving algebraic problems with high accuracy, 1983), and the solution has
 
 At last the operator shrinks \f$K\f$ until all of it lies in \f$B\f$ and in the domain and satisfies the inequalities. When the solution lies on the boundary of one
 of them, or there are more equalities than unknowns, only exact coordinates decide: the simplest rational point of \f$K\f$ is tried; then, some coordinates that
-look rational are fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves.
+look rational are fixed, and the operator has to prove a zero of the other coordinates and of the equalities that this leaves. Last, the signs of the other equalities, of the inequalities and of the distances to the boundary
+of the domain are decided at the root of \f$n\f$ equalities, in intervals of some thousand bits, with a bound below which they are zero.
 
 A *cluster*: proves that the box holds a solution, which is its simplest rational point in the domain, or has some coordinates that look rational and others by the
-operator, as above. How many there are is not proved.
+operator, as above; or is a double root by exact signs. How many there are is not proved.
 
 A *continuum* that is a segment: every equality is zero at so many points of it, between breaks, that it is zero on all of it; and the inequalities hold, up to their boundary, on the boxes around
 16 parts of it.

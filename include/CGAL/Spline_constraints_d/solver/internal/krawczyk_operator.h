@@ -56,11 +56,19 @@ inline bool solve_linear(Matrix& left, Matrix& right)
   return true;
 }
 
-// Any matrix near an inverse serves: digits beyond these only cost time.
-constexpr int digits = 128;
+// Any matrix near an inverse serves: digits beyond these only cost time. In a tiny box derivatives may nearly be dependent, up to about its width.
+inline int digits_for(const Box& box)
+{
+  constexpr long digits = 128;
+  long result = digits;
+  for (const Range& range : box)
+    if (const Exact_rational width = range.upper - range.lower; !is_zero(width))
+      result = (std::max)(result, 2 * (bit_length(denominator_of(width)) - bit_length(numerator_of(width))));
+  return static_cast<int>(result);
+}
 
 // A left inverse of a matrix, rounded; empty when it has none.
-inline Matrix rounded_left_inverse(const Matrix& matrix)
+inline Matrix rounded_left_inverse(const Matrix& matrix, int digits)
 {
   const std::size_t m = matrix.rows, n = matrix.columns;
   Matrix square(n, n), inverse(n, m);
@@ -167,7 +175,7 @@ private:
 };
 
 // The middles of the ranges that the entries of several matrices span, rounded.
-inline Matrix middle_of(const std::vector<Matrix>& matrices)
+inline Matrix middle_of(const std::vector<Matrix>& matrices, int digits)
 {
   Matrix result = matrices.front();
   for (std::size_t e = 0; e < result.entries.size(); ++e) {
@@ -196,7 +204,8 @@ inline Box krawczyk_image(const Functions& functions, const Axes& axes, const Bo
     parts.emplace_back(functions, part);
     jacobians.push_back(parts.back().jacobian(functions.size(), axes));
   }
-  const Matrix inverse = rounded_left_inverse(middle_of(jacobians));
+  const int digits = digits_for(box);
+  const Matrix inverse = rounded_left_inverse(middle_of(jacobians, digits), digits);
   for (std::size_t p = 0; p < parts.size() && inverse.rows > 0; ++p)
     distances.push_back(parts[p].distance_from_identity(inverse, axes));
   Box image;

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/krawczyk_operator.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
 
 #include <algorithm>
 #include <cmath>
@@ -234,6 +235,50 @@ bool has_partly_exact_solution(const Constraint_system_d& system, const Box& box
   return rest.empty() && is_accepted(enclosure);
 }
 
+// Around the box, three times as wide.
+inline Exact_box surrounding(const Box& box)
+{
+  Exact_box result;
+  for (const Range& range : box) {
+    const Exact_rational room = (std::max)(Exact_rational(range.upper - range.lower), Exact_rational(0x1p-200));
+    result.emplace_back(Exact_rational(range.lower - room), Exact_rational(range.upper + room));
+  }
+  return result;
+}
+
+// The root lies in the box and in the domain, and satisfies the inequalities.
+inline bool is_admissible_root(const Constraint_system_d& system, Algebraic_root& root, const Box& box)
+{
+  const Exact_box own = root.box();
+  for (std::size_t j = 0; j < box.size(); ++j)
+    if (own[j].first < box[j].lower || box[j].upper < own[j].second)
+      return false;
+  return algebraic_position(system, root) == Position::INSIDE;
+}
+
+// Proves that a root of as many of the equalities as there are unknowns, beside the enclosure or in it, is one of the others too, lies in the box and is admissible: by exact signs.
+inline bool holds_algebraic_solution(const Constraint_system_d& system, const Box& enclosure, const Box& box)
+{
+  const Exact_box around = surrounding(enclosure);
+  const auto equalities = integer_equalities(system, around);
+  if (!equalities || box.size() < 2)
+    return false;
+  const std::vector<Power_polynomial> ordered = independent_first(*equalities, internal::middle_of(around));
+  if (ordered.empty())
+    return false;
+  const auto others = ordered.begin() + static_cast<std::ptrdiff_t>(box.size());
+  auto root = Algebraic_root::in(Algebraic_equations({ordered.begin(), others}, false), around);
+  return root && root->refine(2 * root->bits_of_width()) && is_admissible_root(system, *root, box) &&
+         std::all_of(others, ordered.end(), [&](const Power_polynomial& other) { return root->sign_of(other) == CGAL::ZERO; });
+}
+
+// Proves that the box holds a double root.
+inline bool holds_double_root(const Constraint_system_d& system, const Box& box)
+{
+  Double_root_search search = search_double_root(system, surrounding(box));
+  return search.outcome == Double_root_search::DOUBLE_ROOT && search.root->refine(2 * search.root->bits_of_width()) && is_admissible_root(system, *search.root, box);
+}
+
 // The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
 inline bool holds_admissible(const Constraint_system_d& system, Box image, const Box& box)
 {
@@ -255,7 +300,7 @@ inline bool holds_admissible(const Constraint_system_d& system, Box image, const
       return true;
     image = krawczyk_image(system, enclosure);
   }
-  return false;
+  return holds_algebraic_solution(system, enclosure, box);
 }
 
 inline bool has_one_solution(const Constraint_system_d& system, const Box& box)
@@ -289,7 +334,7 @@ inline bool has_solution(const Constraint_system_d& system, const Box& box)
   const Box point = simplest_point(inside);
   if (satisfies_equalities(system, point))
     return is_admissible(system, point);
-  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); });
+  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); }) || holds_double_root(system, inside);
 }
 
 } // namespace verification
