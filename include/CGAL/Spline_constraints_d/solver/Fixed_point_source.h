@@ -27,8 +27,8 @@ struct Scaled_value
 };
 
 /*
-The Bernstein coefficients of all functions of a system on a home box, as fixed-point numbers of 127 bits, and what follows from them on boxes and at points within: in a tenth of the time
-that integers of any length take. Every result has a bound on its error, and where that is too large beside the result there is none: then exact arithmetic has to answer.
+The Bernstein coefficients of all functions of a system on a home box, as fixed-point numbers of 127 bits, and what follows from them on boxes and at points within, without
+integers of any length. Every result has a bound on its error, and where that is too large beside the result there is none: then exact arithmetic has to answer.
 
 The unit of a function is chosen such that the sum of its blocks stays below 2^124 units. `multiplied()` is off by 6 units at most (number/fixed_point.h).
 */
@@ -42,6 +42,9 @@ class Fixed_point_source
   std::vector<double> m_error;     // per block and function, in units
   std::vector<Unsigned_fixed_point> m_parameter, m_basis;
   std::vector<Fixed_point> m_sum;
+  std::vector<const Block*> m_first_block;        // per function, while constants are gathered
+  std::vector<Unsigned_fixed_point> m_largest;    // per function
+  std::vector<double> m_factor;
   std::vector<double> m_sum_error;
 
 public:
@@ -126,27 +129,27 @@ inline bool Fixed_point_source::bernstein_coefficients(std::span<const double> l
   }
   gather_constants();
 
-  std::vector<Unsigned_fixed_point> largest(m_layout.functions, 0);
+  m_largest.assign(m_layout.functions, 0);
   for (const Block& block : m_layout.blocks)
     for (std::size_t i = 0; i < block.size(); ++i) {
-      Unsigned_fixed_point& most = largest[block.functions[i % block.functions.size()]];
+      Unsigned_fixed_point& most = m_largest[block.functions[i % block.functions.size()]];
       most = (std::max)(most, magnitude(m_work[block.offset + i]));
     }
   for (const Block& block : m_layout.blocks)
     for (std::size_t m = 0; m < block.functions.size(); ++m)
-      if (!(m_error[block.first_error + m] <= 0x1p-52 * approximate(largest[block.functions[m]])))
+      if (!(m_error[block.first_error + m] <= 0x1p-52 * approximate(m_largest[block.functions[m]])))
         return false;
   scale.resize(m_layout.functions);
-  std::vector<double> factor(m_layout.functions);
+  m_factor.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {
-    const int bits = bit_length(largest[f]);
+    const int bits = bit_length(m_largest[f]);
     scale[f] = m_unit[f] + bits;
-    factor[f] = std::ldexp(1.0, -bits);
+    m_factor[f] = std::ldexp(1.0, -bits);
   }
   for (const Block& block : m_layout.blocks) {
     const std::size_t members = block.functions.size();
     for (std::size_t m = 0; m < members; ++m) {
-      const double by = factor[block.functions[m]];
+      const double by = m_factor[block.functions[m]];
       double most = 0;
       for (std::size_t i = m; i < block.size(); i += members) {
         coefficients[block.offset + i] = by * approximate(m_work[block.offset + i]);
@@ -184,12 +187,12 @@ inline void Fixed_point_source::keep_upper_part(const Block_axis& axis, Unsigned
 inline void Fixed_point_source::gather_constants()
 {
   m_sum.assign(m_layout.functions, 0);
-  std::vector<const Block*> home(m_layout.functions, nullptr);
+  m_first_block.assign(m_layout.functions, nullptr);
   for (const Block& block : m_layout.blocks)
     for (std::size_t m = 0; m < block.functions.size(); ++m) {
       const int f = block.functions[m];
-      if (home[f] == nullptr) {
-        home[f] = &block;
+      if (m_first_block[f] == nullptr) {
+        m_first_block[f] = &block;
         continue;
       }
       const Fixed_point constant = m_work[block.offset + m];
@@ -199,10 +202,10 @@ inline void Fixed_point_source::gather_constants()
     }
   for (int f = 0; f < m_layout.functions; ++f)
     if (m_sum[f] != 0) {
-      const std::size_t members = home[f]->functions.size();
-      const std::size_t m = std::find(home[f]->functions.begin(), home[f]->functions.end(), f) - home[f]->functions.begin();
-      for (std::size_t i = m; i < home[f]->size(); i += members)
-        m_work[home[f]->offset + i] += m_sum[f];
+      const std::size_t members = m_first_block[f]->functions.size();
+      const std::size_t m = std::find(m_first_block[f]->functions.begin(), m_first_block[f]->functions.end(), f) - m_first_block[f]->functions.begin();
+      for (std::size_t i = m; i < m_first_block[f]->size(); i += members)
+        m_work[m_first_block[f]->offset + i] += m_sum[f];
     }
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
@@ -45,10 +45,10 @@ inline std::ostream& operator<<(std::ostream& out, Intersection_kind kind)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-An intersection of two curves in the plane: parameters on both, within ranges that are proved to hold those of the common point, or of the common piece.
+An intersection of two curves in the plane or in space: parameters on both, within ranges that are proved to hold those of the common point, or of the common piece.
 */
-template <SplineKernel Kernel>
-class Curve_intersection_2
+template <SplineKernel Kernel, int d>
+class Curve_intersection
 {
 public:
   //! a closed range of a parameter.
@@ -56,13 +56,13 @@ public:
 
 private:
   Intersection_kind m_kind;
-  std::array<Point_on_spline<Kernel, 1, 2>, 2> m_points;
+  std::array<Point_on_spline<Kernel, 1, d>, 2> m_points;
   std::array<bool, 2> m_is_at_end;
   Solution_d<double> m_solution;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Curve_intersection_2(Intersection_kind kind, std::array<Point_on_spline<Kernel, 1, 2>, 2> points, const std::array<bool, 2>& is_at_end, Solution_d<double> solution)
+  Curve_intersection(Intersection_kind kind, std::array<Point_on_spline<Kernel, 1, d>, 2> points, const std::array<bool, 2>& is_at_end, Solution_d<double> solution)
     : m_kind(kind), m_points(std::move(points)), m_is_at_end(is_at_end), m_solution(std::move(solution))
   {}
 #endif
@@ -77,7 +77,7 @@ public:
   double parameter(std::size_t curve) const { return m_points[curve].parameter(); }
 
   //! the point of the first curve in the middle of its range. Where the range is one number and the kernel exact, it is the common point itself.
-  const typename Kernel::Point_2& point() const { return m_points[0].point(); }
+  const typename internal::Ambient_space<Kernel, d>::Point& point() const { return m_points[0].point(); }
 
   //! whether the common point is an end of the first (0) or second (1) curve, decided exactly; the seam of a closed curve is one.
   bool is_at_end(std::size_t curve) const { return m_is_at_end[curve]; }
@@ -92,19 +92,19 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The intersections of two curves in the plane, those of one kind after another.
+The intersections of two curves, those of one kind after another.
 */
-template <SplineKernel Kernel>
-class Curve_intersections_2
+template <SplineKernel Kernel, int d>
+class Curve_intersections
 {
-  std::vector<Curve_intersection_2<Kernel>> m_intersections;
+  std::vector<Curve_intersection<Kernel, d>> m_intersections;
   Summary m_summary;
 
 public:
-  using const_iterator = typename std::vector<Curve_intersection_2<Kernel>>::const_iterator;
+  using const_iterator = typename std::vector<Curve_intersection<Kernel, d>>::const_iterator;
 
 #ifndef DOXYGEN_RUNNING
-  Curve_intersections_2(std::vector<Curve_intersection_2<Kernel>> intersections, const Summary& summary)
+  Curve_intersections(std::vector<Curve_intersection<Kernel, d>> intersections, const Summary& summary)
     : m_intersections(std::move(intersections)), m_summary(summary)
   {
     std::stable_sort(m_intersections.begin(), m_intersections.end(), [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
@@ -116,7 +116,7 @@ public:
   const_iterator end() const { return m_intersections.end(); }
   std::size_t size() const { return m_intersections.size(); }
   bool empty() const { return m_intersections.empty(); }
-  const Curve_intersection_2<Kernel>& operator[](std::size_t i) const { return m_intersections[i]; }
+  const Curve_intersection<Kernel, d>& operator[](std::size_t i) const { return m_intersections[i]; }
 
   //! number of intersections of a kind.
   std::size_t count(Intersection_kind kind) const
@@ -137,10 +137,10 @@ namespace internal {
 The intersections of two curves: solutions of C1(u) = C2(v), told apart by what is known of the ends of the curves. Whether an end of one curve lies on the other one is a system in one
 unknown, all of whose solutions are found exactly.
 */
-template <SplineKernel Kernel>
-class Curve_intersector_2
+template <SplineKernel Kernel, int d>
+class Curve_intersector
 {
-  using Map = Spline_map<1, 2>;
+  using Map = Spline_map<1, d>;
   using Solution = Solution_d<double>;
   using Box = Solution::Exact_box;
   using Range = std::pair<Exact_rational, Exact_rational>;
@@ -160,31 +160,42 @@ class Curve_intersector_2
   std::vector<Incidence> m_incidences;
 
 public:
-  Curve_intersector_2(const Map& c1, const Map& c2, const Solver_options& options)
+  Curve_intersector(const Map& c1, const Map& c2, const Solver_options& options)
     : m_curves{c1, c2}, m_solver(options)
   {}
 
-  Curve_intersections_2<Kernel> operator()()
+  Curve_intersections<Kernel, d> operator()()
   {
     const auto [u, v] = parameters(m_curves[0], m_curves[1]);
     const Solution_set_d<double> solutions = m_solver(equality(m_curves[0](u), m_curves[1](v)));
     if (!solutions.empty())
       find_incidences();
-    std::vector<Curve_intersection_2<Kernel>> result;
+    std::vector<Curve_intersection<Kernel, d>> result;
     for (const Solution& solution : solutions)
       if (auto intersection = classified(solution))
         result.push_back(std::move(*intersection));
-    return Curve_intersections_2<Kernel>(std::move(result), solutions.summary());
+    return Curve_intersections<Kernel, d>(std::move(result), solutions.summary());
   }
 
 private:
   const Exact_rational& end(std::size_t curve, bool is_upper) const { return is_upper ? m_curves[curve].domain(0).second : m_curves[curve].domain(0).first; }
-  std::array<Exact_rational, 2> end_point(std::size_t curve, bool is_upper) const { return m_curves[curve](Parameter{end(curve, is_upper)}); }
+  std::array<Exact_rational, d> end_point(std::size_t curve, bool is_upper) const { return m_curves[curve](Parameter{end(curve, is_upper)}); }
 
-  static Constraint_system_d equality(const Vector_expression<2>& a, const Vector_expression<2>& b)
+  // Of points: an equation for each coordinate, without those in space that are satisfied anyway.
+  static Constraint_system_d equality(const Vector_expression<d>& a, const Vector_expression<d>& b)
   {
-    const std::array<Constraint, 2> constraints{a.x() == b.x(), a.y() == b.y()};
+    std::vector<Constraint> constraints;
+    for (int i = 0; i < d; ++i)
+      constraints.push_back(a[i] == b[i]);
+    const auto trivial = std::find_if(constraints.begin(), constraints.end(), [](const Constraint& constraint) { return constraint.function.is_zero(); });
+    if (d > 2 && trivial != constraints.end())
+      constraints.erase(trivial);
     return make_system(constraints);
+  }
+
+  static Vector_expression<d> constant(const std::array<Exact_rational, d>& point)
+  {
+    return vector_of<d>([&](std::size_t i) { return Expression(point[i]); });
   }
 
   void find_incidences()
@@ -192,14 +203,13 @@ private:
     for (std::size_t i = 0; i < 2; ++i)
       for (const bool is_upper : {false, true}) {
         const auto [t] = parameters(m_curves[1 - i]);
-        const std::array<Exact_rational, 2> point = end_point(i, is_upper);
-        for (const Solution& solution : m_solver(equality(m_curves[1 - i](t), {point[0], point[1]})))
+        for (const Solution& solution : m_solver(equality(m_curves[1 - i](t), constant(end_point(i, is_upper)))))
           m_incidences.push_back({i, is_upper, end(i, is_upper), solution.exact_box()[0]});
       }
   }
 
   // The intersection that a solution stands for; none when it is a point on the seam of a closed curve with the second parameter of that point.
-  std::optional<Curve_intersection_2<Kernel>> classified(const Solution& solution) const
+  std::optional<Curve_intersection<Kernel, d>> classified(const Solution& solution) const
   {
     Box box = solution.exact_box();
     Intersection_kind kind = kind_of(solution);
@@ -255,9 +265,9 @@ private:
     return own.first <= incidence.end && incidence.end <= own.second && other.first <= incidence.range.first && incidence.range.second <= other.second;
   }
 
-  Curve_intersection_2<Kernel> made(Intersection_kind kind, const Solution& solution, const Box& box, const std::array<bool, 2>& is_at_end) const
+  Curve_intersection<Kernel, d> made(Intersection_kind kind, const Solution& solution, const Box& box, const std::array<bool, 2>& is_at_end) const
   {
-    using Point = Point_on_spline<Kernel, 1, 2>;
+    using Point = Point_on_spline<Kernel, 1, d>;
     return {kind, std::array<Point, 2>{Point(m_curves[0], {box[0]}), Point(m_curves[1], {box[1]})}, is_at_end, solution};
   }
 };
@@ -282,12 +292,30 @@ exact parameter ranges where one parameter is a linear function of the other.
 Complexity: that of a system of two equations in two unknowns, and of four in one unknown. Source: \cgalCite{ek-gcs-01}, section 2.
 */
 template <ParametricCurve_2 C1, ParametricCurve_2 C2>
-Curve_intersections_2<typename C1::Kernel> intersections(const C1& c1, const C2& c2, const Solver_options& options = {})
+Curve_intersections<typename C1::Kernel, 2> intersections(const C1& c1, const C2& c2, const Solver_options& options = {})
 {
-  return internal::Curve_intersector_2<typename C1::Kernel>(Spline_map<1, 2>(c1), Spline_map<1, 2>(c2), options)();
+  return internal::Curve_intersector<typename C1::Kernel, 2>(Spline_map<1, 2>(c1), Spline_map<1, 2>(c2), options)();
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all intersections of two curves in space, as those in the plane: three equations in two unknowns. That a point satisfies all of them is proved by exact signs, for points with irrational parameters too;
+two curves that miss each other by however little do not meet. Curves that touch at irrational parameters stay undecided.
+
+\tparam C1,C2 models of `ParametricCurve_3`; points of the result are those of the kernel of `C1`.
+\param c1 the first curve.
+\param c2 the second curve.
+\param options those of the solver; a tolerance concerns only what remains undecided.
+\throws Invalid_input when an option makes no sense.
+*/
+template <ParametricCurve_3 C1, ParametricCurve_3 C2>
+Curve_intersections<typename C1::Kernel, 3> intersections(const C1& c1, const C2& c2, const Solver_options& options = {})
+{
+  return internal::Curve_intersector<typename C1::Kernel, 3>(Spline_map<1, 3>(c1), Spline_map<1, 3>(c2), options)();
 }
 
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_2_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_INTERSECTIONS_H

@@ -5,7 +5,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/curve_intersections_2.h>
+#include <CGAL/Spline_constraints_d/operations/curve_intersections.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -43,7 +43,7 @@ Pairs points_of(const Intersections& intersections, Intersection_kind kind)
   return result;
 }
 
-TEST(Curve_intersections_2, CirclesCross)
+TEST(Curve_intersections, CirclesCross)
 {
   const auto intersections = SC::intersections(SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(5)), SC::circle_curve(Epeck::Point_2(6, 0), Epeck::FT(5)));
   EXPECT_TRUE(intersections.is_complete());
@@ -54,7 +54,7 @@ TEST(Curve_intersections_2, CirclesCross)
 }
 
 // (5,0) is the seam of the circle: found from both sides of it, and reported once, with its first parameter.
-TEST(Curve_intersections_2, SeamOfACircle)
+TEST(Curve_intersections, SeamOfACircle)
 {
   const auto circle = SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(5));
   const auto line = SC::segment_curve(Epeck::Point_2(-7, 3), Epeck::Point_2(9, -1));   // (5,0) at 3/4
@@ -79,7 +79,7 @@ TEST(Curve_intersections_2, SeamOfACircle)
 }
 
 // The parabola (v^2, v^4) ends nowhere near, and (2,4) has the irrational parameter sqrt(2) on it.
-TEST(Curve_intersections_2, EndsOnACurve)
+TEST(Curve_intersections, EndsOnACurve)
 {
   const auto quartic = SC::bezier_curve(std::vector<Epeck::Point_2>{{0, 0}, {0, 0}, {Epeck::FT(2) / 3, 0}, {2, 0}, {4, 16}});   // over [0,1], with v = 2t
   const auto from = SC::segment_curve(Epeck::Point_2(2, 4), Epeck::Point_2(3, 0));
@@ -101,7 +101,7 @@ TEST(Curve_intersections_2, EndsOnACurve)
   EXPECT_FALSE(crossing[0].is_at_end(0));
 }
 
-TEST(Curve_intersections_2, SharedEndsAndCorners)
+TEST(Curve_intersections, SharedEndsAndCorners)
 {
   const auto a = SC::polyline_curve(Points{{0, 0}, {1, 1}, {2, 0}}), b = SC::polyline_curve(Points{{2, 0}, {1, 1}, {0, 2}});
   const auto intersections = SC::intersections(SC::segment_curve(Doubles::Point_2(0, 0), Doubles::Point_2(2, 1)), SC::segment_curve(Doubles::Point_2(2, 1), Doubles::Point_2(3, -5)));
@@ -121,7 +121,7 @@ TEST(Curve_intersections_2, SharedEndsAndCorners)
 }
 
 // Pieces of one circle: where two of them meet on both curves, a common factor has a zero of its own that belongs to the overlap.
-TEST(Curve_intersections_2, OverlapAcrossABreak)
+TEST(Curve_intersections, OverlapAcrossABreak)
 {
   const auto circle = SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(2));
   const auto intersections = SC::intersections(circle, circle.restricted(Epeck::FT(5) / 2, Epeck::FT(7) / 2));
@@ -132,7 +132,7 @@ TEST(Curve_intersections_2, OverlapAcrossABreak)
     EXPECT_EQ(intersections[0].parameter_range(i), (std::pair<Exact_rational, Exact_rational>(Exact_rational(5) / 2, Exact_rational(7) / 2)));
 }
 
-TEST(Curve_intersections_2, Tangents)
+TEST(Curve_intersections, Tangents)
 {
   const auto parabola = SC::bezier_curve(Points{{-1, 1}, {0, -1}, {1, 1}});
   const auto tangent = SC::intersections(parabola, SC::segment_curve(Doubles::Point_2(-1.5, 0), Doubles::Point_2(1.25, 0)));
@@ -149,7 +149,7 @@ TEST(Curve_intersections_2, Tangents)
 }
 
 // Curves and their transposes: 4, 9 and 81 points.
-TEST(Curve_intersections_2, Transposed)
+TEST(Curve_intersections, Transposed)
 {
   const auto transposed = [](Points points) {
     for (auto& p : points)
@@ -171,7 +171,7 @@ TEST(Curve_intersections_2, Transposed)
 }
 
 // Curves through a common point, planted at random parameters: it is found once, and an affine map changes no count.
-TEST(Curve_intersections_2, PlantedPoints)
+TEST(Curve_intersections, PlantedPoints)
 {
   using K = CGAL::Simple_cartesian<Exact_rational>;
   std::mt19937 random(7);
