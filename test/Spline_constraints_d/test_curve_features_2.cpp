@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -130,18 +131,27 @@ TEST(Curve_features_2, ExtremePoints)
   EXPECT_THROW(SC::extreme_points(graph({0, 1}), K::Vector_2(0, 0)), SC::Invalid_input);
 }
 
-// y = -x^2 (1 - 2x^2)^2 is zero, its maximum, at zero and at two irrational places.
+// y = -x^2 (1 - 2x^2)^2 is zero, its maximum, at zero and at two irrational places; with x/10^9 added, at one of them.
 TEST(Curve_features_2, Ties)
 {
-  const auto tie = SC::extreme_points(graph({0, 0, -1, 0, 4, 0, -4}), K::Vector_2(0, 1));
-  ASSERT_EQ(tie.count(Kind::MAXIMUM), 3u);
-  std::size_t decided = 0;
-  for (const auto& feature : tie.features)
-    if (feature.kind() == Kind::MAXIMUM) {
-      EXPECT_TRUE(CGAL::possibly(feature.is_global()));
-      decided += feature.is_global().is_certain();
-    }
-  EXPECT_EQ(decided, 1u);   // the one at zero, beside two irrational ones
+  const auto global = [](const SC::Curve_features_2<K>& result, Kind kind) {
+    return std::count_if(result.features.begin(), result.features.end(), [=](const auto& feature) {
+      EXPECT_TRUE(feature.is_global().is_certain());
+      return feature.kind() == kind && CGAL::certainly(feature.is_global());
+    });
+  };
+  const Curve tie = graph({0, 0, -1, 0, 4, 0, -4});
+  EXPECT_EQ(SC::extreme_points(tie, K::Vector_2(0, 1)).count(Kind::MAXIMUM), 3u);
+  EXPECT_EQ(global(SC::extreme_points(tie, K::Vector_2(0, 1)), Kind::MAXIMUM), 3);
+  EXPECT_EQ(global(SC::extreme_points(tie, K::Vector_2(0, -1)), Kind::MINIMUM), 3);
+  EXPECT_EQ(global(SC::extreme_points(tie, K::Vector_2(K::FT(1) / K::FT(1e9), 1)), Kind::MAXIMUM), 1);
+  EXPECT_EQ(global(SC::extreme_points(tie.with_knot(K::FT(1) / 3), K::Vector_2(0, 1)), Kind::MAXIMUM), 3);
+
+  // Two arches, mirror images of each other, with irrational maxima.
+  const Curve arches(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, Points{{0, 0}, {1, 3}, {2, 1}, {4, 0}, {6, 1}, {7, 3}, {8, 0}});
+  EXPECT_EQ(global(SC::extreme_points(arches, K::Vector_2(0, 1)), Kind::MAXIMUM), 2);
+  const Curve ellipse = SC::ellipse_curve(K::Point_2(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 2));
+  EXPECT_EQ(global(SC::extreme_points(ellipse, K::Vector_2(1, 3)), Kind::MAXIMUM), 1);
 }
 
 // Between two samples there is an odd number of inflections exactly if the curvature has different signs there.

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/tangent_circles_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,35 @@ TEST(Tangent_circles_2, Triangle)
   EXPECT_NEAR(circle.radius(), 4, 1e-13);
 }
 
+// A polygonal curve has a corner and an end that is no contact: inside of the circle, or outside.
+TEST(Tangent_circles_2, CornersAndEnds)
+{
+  const Curve first = SC::segment_curve(K::Point_2(0, 0), K::Point_2(14, 0)), second = SC::segment_curve(K::Point_2(14, 0), K::Point_2(5, 12));
+  const auto emptiness_of_incircle = [&](const Points& third) {
+    const auto result = SC::tangent_circles(first, second, SC::polyline_curve(third));
+    EXPECT_TRUE(result.summary.is_complete) << result.summary;
+    std::vector<Emptiness> found;
+    for (const auto& circle : result.circles)
+      if (holds(circle.center_range(0), 6) && holds(circle.center_range(1), 4) && holds(circle.squared_radius_range(), 16))
+        found.push_back(circle.emptiness());
+    return found;
+  };
+  EXPECT_EQ(emptiness_of_incircle({{5, 12}, {0, 0}, {6, -4}}), std::vector<Emptiness>{Emptiness::EMPTY});
+  EXPECT_EQ(emptiness_of_incircle({{5, 12}, {0, 0}, {6, 3}}), std::vector<Emptiness>{Emptiness::NOT_EMPTY});
+  // Once more touched by the same curve: found with both contacts.
+  EXPECT_EQ(emptiness_of_incircle({{5, 12}, {0, 0}, {0, 8}, {12, 8}}), (std::vector<Emptiness>{Emptiness::UNDECIDED, Emptiness::UNDECIDED}));
+}
+
+// Doubles: the segments touch a circle of radius 5 around the origin at (3,4), (-4,3) and (0,-5).
+TEST(Tangent_circles_2, Doubles)
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  const auto result = SC::tangent_circles(SC::segment_curve(Point(-1, 7), Point(7, 1)), SC::segment_curve(Point(-7, -1), Point(-1, 7)), SC::segment_curve(Point(-7, -5), Point(7, -5)));
+  ASSERT_EQ(result.circles.size(), 1u);
+  EXPECT_EQ(result.circles[0].emptiness(), Emptiness::EMPTY);
+  EXPECT_TRUE(holds(result.circles[0].center_range(0), 0) && holds(result.circles[0].center_range(1), 0) && holds(result.circles[0].squared_radius_range(), 25));
+}
+
 // A random curve of degree 3, moved such that it touches a circle at a point with a given parameter.
 Curve touching(const K::Point_2& point, const K::Vector_2& tangent, const K::FT& t, std::mt19937& random)
 {
@@ -99,15 +129,15 @@ Curve touching(const K::Point_2& point, const K::Vector_2& tangent, const K::FT&
 TEST(Tangent_circles_2, PlantedCircles)
 {
   std::mt19937 random(3);
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 5; ++round) {
     const K::Point_2 center(static_cast<int>(random() % 9), static_cast<int>(random() % 9));
-    const int radius = 2 + static_cast<int>(random() % 3);
+    const int radius = round == 3 ? 1000 : 2 + static_cast<int>(random() % 3);
     std::vector<Curve> curves;
     std::array<Exact_rational, 3> parameters;
     const std::array<K::Vector_2, 3> directions{K::Vector_2(K::FT(3) / 5, K::FT(4) / 5), K::Vector_2(K::FT(-12) / 13, K::FT(5) / 13), K::Vector_2(K::FT(8) / 17, K::FT(-15) / 17)};
     for (std::size_t i = 0; i < 3; ++i) {
       parameters[i] = Exact_rational(static_cast<int>(1 + random() % 9)) / 10;
-      const K::FT size = K::FT(static_cast<int>(4 + random() % 8));
+      const K::FT size = round == 2 ? K::FT(radius) : K::FT(static_cast<int>(4 + random() % 8));   // the derivative: in round 2 the two forms of the equations meet
       curves.push_back(touching(center + directions[i] * K::FT(radius), directions[i].perpendicular(CGAL::COUNTERCLOCKWISE) * size, K::FT(parameters[i]), random));
     }
     const auto result = SC::tangent_circles(curves[0], curves[1], curves[2]);

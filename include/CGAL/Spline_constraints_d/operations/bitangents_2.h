@@ -127,8 +127,8 @@ private:
   }
 
   /*
-  With the chord D = C(u) - C(v), H = (C'(u) x D)/(u-v)^2 and G = (C'(u) x C'(v))/(u-v) are polynomials, and H = -C' x C''/2, G = -C' x C'' where u = v: at inflections both are zero. There G - 2H is zero
-  everywhere, so that it can be divided by u - v once more, which gives C' x C'''/6.
+  With the chord D = C(u) - C(v), H = (C'(u) x D)/(u-v)^2 and G = (C'(u) x C'(v))/(u-v) are polynomials, and H = -C' x C''/2, G = -C' x C'' where u = v: at inflections both are
+  zero. But G - 2H is zero on all of u = v, so that it can be divided by u - v once more, which gives C' x C'''/6.
   */
   void solve_piece(const Smooth_part& piece, const Region& region)
   {
@@ -144,10 +144,11 @@ private:
     report(m_solve(constraints));
   }
 
+  // Ends that count on the next part or region.
   static void add_ends(std::vector<Constraint>& constraints, const std::array<const Smooth_part*, 2>& parts, const Region& region, const std::vector<Unknown>& u)
   {
     for (std::size_t i = 0; i < 2; ++i)
-      if (!parts[i]->has_end && region[i].second == parts[i]->curve.end())
+      if (!parts[i]->has_end || region[i].second != parts[i]->curve.end())
         constraints.push_back(u[i] < region[i].second);
   }
 
@@ -187,7 +188,8 @@ private:
   {
     const std::vector<Unknown> u = unknowns({{Bound(range.first), Bound(range.second)}});
     const Vector_expression<2> tangent = piece(1, u[0]);
-    return m_solve({cross(tangent, piece(2, u[0])) == 0}).empty() && m_solve({dot(tangent, Vector_expression<2>(direction[0], direction[1])) == 0}).empty();
+    const Vector_expression<2> forward(direction[0], direction[1]);
+    return m_solve({cross(tangent, piece(2, u[0])) == 0}).empty() && m_solve({dot(tangent, forward) == 0}).empty();
   }
 
   static std::vector<Region> without(std::vector<Region> regions, const std::vector<Joint>& joints)
@@ -235,9 +237,9 @@ all lines that are tangent to two curves at two different points: the solutions 
 \f[ C_1'(u) \times C_2'(v) = 0, \quad C_1'(u) \times (C_1(u) - C_2(v)) = 0, \quad C_1(u) \neq C_2(v). \f]
 The inequality excludes the points where the curves touch.
 
-A curve is split where its derivative jumps; at a corner the tangents of both sides count. A contact at the seam of a closed curve that has a tangent there, or at another such break, is reported with one parameter.
-Where the derivative of a curve vanishes, at a cusp, every tangent of the other one satisfies the first equation: such points come back as families, or undecided. So does the line of a straight piece that
-is tangent to the other curve, as all points of the piece are contacts.
+A curve is split where its derivative jumps; at a corner the tangents of both sides count. A contact at the seam of a closed curve that has a tangent there, or at another such break,
+is reported with one parameter. Where the derivative of a curve vanishes, at a cusp, every tangent of the other one satisfies the first equation: such points come back as families,
+or undecided. So does the line of a straight piece that is tangent to the other curve, as all points of the piece are contacts.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -257,9 +259,10 @@ Bitangents_2<typename C1::Kernel> bitangents(const C1& c1, const C2& c2, const S
 /*!
 all lines that are tangent to a curve at two different points, each once.
 
-On one polynomial piece, \f$u = v\f$ satisfies the equations. It is divided out exactly, in such a way that inflections are no solutions either: of \f$H = C'(u) \times (C(u)-C(v)) / (u-v)^2\f$ and
-\f$G = C'(u) \times C'(v) / (u-v)\f$ the system \f$H = 0\f$, \f$(G - 2H)/(u-v) = 0\f$, \f$u < v\f$ is solved, whose second function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces with a common end are solved
-without an arc around it that is proved to be convex. Where there is none, that is at an inflection on a break, the common end may come back undecided.
+On one polynomial piece, \f$u = v\f$ satisfies the equations. It is divided out exactly, in such a way that inflections are no solutions either: of
+\f$H = C'(u) \times (C(u)-C(v)) / (u-v)^2\f$ and \f$G = C'(u) \times C'(v) / (u-v)\f$ the system \f$H = 0\f$, \f$(G - 2H)/(u-v) = 0\f$, \f$u < v\f$ is solved, whose second
+function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces with a common end are solved without an arc around it that is proved to be convex. Where there is none, that is at an
+inflection on a break, the common end may come back undecided.
 
 Straight pieces are not reported as tangent to themselves.
 

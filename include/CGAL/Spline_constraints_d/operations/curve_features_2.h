@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sign_sequence.h>
+#include <CGAL/Spline_constraints_d/operations/internal/critical_values.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -79,7 +80,7 @@ public:
   //! whether it is at a break of the curve, or a family that contains one; the seam of a closed curve is one.
   bool is_at_break() const { return m_is_at_break; }
 
-  //! for `extreme_points()`: whether no point of the curve is further on the side of this extreme. Indeterminate where two irrational heights were not told apart.
+  //! for `extreme_points()`: whether no point of the curve is further on the side of this extreme. Indeterminate where heights differ by less than their enclosures; ties do not.
   CGAL::Uncertain<bool> is_global() const { return m_is_global; }
 
   //! the answers of the solver, with their proofs: none at a break where the sign jumps, several where pieces meet.
@@ -139,7 +140,8 @@ inline Curve_feature_kind kind_of_inflection(const Sign_event& event)
 
 // The features that the signs of a formula of the curvature make.
 template <class Kernel, class Kind>
-Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces, const Sign_sequence& signs, const Kind& kind_of_event, Summing_solver& solve)
+Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces, const Sign_sequence& signs, const Kind& kind_of_event,
+                                            Summing_solver& solve)
 {
   Curve_features_2<Kernel> result;
   for (const Sign_event& event : signs.events()) {
@@ -171,7 +173,7 @@ inline bool have_common_curvature(const Differentiated_map& before, const Differ
 
 /*
 Heights of the points of a curve in a direction, compared. Ranges of heights come from the coefficients of the curve on the range of the parameter: about the critical points that are
-compared, heights differ by the square of its width.
+compared, heights differ by the square of its width. Heights that are not told apart by that are zeros of polynomials, which decide whether they are equal.
 */
 class Height_comparison
 {
@@ -184,18 +186,19 @@ class Height_comparison
 
   const std::vector<Differentiated_map>& m_pieces;
   Exact_pair m_direction;
+  Bspline_function<Exact_rational> m_height, m_weight;
   Summing_solver& m_solve;
   std::vector<Candidate> m_candidates;
 
 public:
   template <class Curve>
-  Height_comparison(const Curve& curve, const std::vector<Differentiated_map>& pieces, const Exact_pair& direction, const std::vector<Sign_event>& events, Summing_solver& solve)
-    : m_pieces(pieces), m_direction(direction), m_solve(solve)
+  Height_comparison(const Curve& curve, const std::vector<Differentiated_map>& pieces, const Exact_pair& direction, const std::vector<Sign_event>& events,
+                    Summing_solver& solve)
+    : m_pieces(pieces), m_direction(direction), m_height(curve.homogeneous_coordinates()[0] * direction[0] + curve.homogeneous_coordinates()[1] * direction[1]),
+      m_weight(curve.weight()), m_solve(solve)
   {
-    const auto coordinates = curve.homogeneous_coordinates();
-    const Bspline_function<Exact_rational> height = coordinates[0] * direction[0] + coordinates[1] * direction[1], weight = curve.weight();
     for (const Sign_event& event : events)
-      m_candidates.push_back(candidate(event, height, weight));
+      m_candidates.push_back(candidate(event));
   }
 
   // Whether no candidate is higher (sign 1), or lower (sign -1), than one of them.
@@ -213,16 +216,16 @@ public:
   }
 
 private:
-  static Candidate candidate(const Sign_event& event, const Bspline_function<Exact_rational>& height, const Bspline_function<Exact_rational>& weight)
+  Candidate candidate(const Sign_event& event) const
   {
     const auto& [lower, upper] = event.range;
     Candidate result{event.range, {}, true};
     if (lower == upper || event.is_family()) {
       const std::array<Exact_rational, 1> t{lower};
-      result.heights.first = result.heights.second = Exact_rational(height(t) / weight(t));
+      result.heights.first = result.heights.second = Exact_rational(m_height(t) / m_weight(t));
       return result;
     }
-    const Bspline_function<Exact_rational> h = height.restricted(0, lower, upper), w = weight.restricted(0, lower, upper);
+    const Bspline_function<Exact_rational> h = m_height.restricted(0, lower, upper), w = m_weight.restricted(0, lower, upper);
     bool is_first = true;
     for (const auto& [a, b] : quotients(h, w)) {
       if (sign_of(b) == 0 || sign_of(b) != sign_of(w.coefficients()[0])) {
@@ -255,9 +258,27 @@ private:
       if (a.heights.second < b.heights.first)
         return CGAL::NEGATIVE;
     }
-    if ((a.is_exact() && b.is_exact()) || (a.is_exact() && attains(b, a.heights.first)) || (b.is_exact() && attains(a, b.heights.first)))
+    if ((a.is_exact() && b.is_exact()) || (a.is_exact() && attains(b, a.heights.first)) || (b.is_exact() && attains(a, b.heights.first)) ||
+        (a.has_heights && b.has_heights && !a.is_exact() && !b.is_exact() && have_common_height(a, b)))
       return CGAL::ZERO;
     return CGAL::Uncertain<CGAL::Sign>::indeterminate();
+  }
+
+  // Whether the polynomials of the heights of two critical points have one zero each where both heights are, and it is the same.
+  bool have_common_height(const Candidate& a, const Candidate& b) const
+  {
+    const std::vector<Unknown> height = unknowns({{Bound((std::min)(a.heights.first, b.heights.first)), Bound((std::max)(a.heights.second, b.heights.second))}});
+    const std::array<Expression, 2> polynomials{height_polynomial(a, height[0]), height_polynomial(b, height[0])};
+    if (polynomials[0].numerator().is_zero() || polynomials[1].numerator().is_zero())
+      return false;
+    return m_solve({polynomials[0] == 0}).size() == 1 && m_solve({polynomials[1] == 0}).size() == 1 && m_solve({polynomials[0] == 0, polynomials[1] == 0}).size() == 1;
+  }
+
+  Expression height_polynomial(const Candidate& candidate, const Unknown& height) const
+  {
+    const auto piece = std::find_if(m_pieces.begin(), m_pieces.end(), [&](const auto& p) { return candidate.parameters.second <= p.end(); });
+    const auto tensor = [&](const Bspline_function<Exact_rational>& function) { return function.restricted(0, piece->begin(), piece->end()).bezier_pieces().front(); };
+    return Expression(critical_value_polynomial(tensor(m_height), tensor(m_weight), height.numerator()), Monomial(), height.symbols());
   }
 
   // Whether the critical point in a range has a given height: a system of two equations in one unknown, decided exactly.
@@ -357,8 +378,8 @@ Curve_features_2<typename Curve::Kernel> curvature_extremes(const Curve& curve, 
 /*!
 the points of a planar curve that are extreme in a direction: the zeros of \f$\langle C', d\rangle\f$, corners where it changes its sign, and the ends of an open curve.
 
-Each is proved to be a local `MAXIMUM` or `MINIMUM` of \f$\langle C, d\rangle\f$, or neither (`STATIONARY`); a piece at constant height is a family. Those of all that no point of the
-curve surpasses are told by `Curve_feature_2::is_global()`, ties included. Ties are decided exactly if one of the parameters is rational, and are indeterminate between two irrational ones.
+Each is proved to be a local `MAXIMUM` or `MINIMUM` of \f$\langle C, d\rangle\f$, or neither (`STATIONARY`); a piece at constant height is a family. `Curve_feature_2::is_global()` tells
+those that no point of the curve surpasses. Ties are decided exactly: critical heights are zeros of a polynomial, a resultant.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.

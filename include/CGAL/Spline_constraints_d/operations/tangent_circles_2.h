@@ -85,7 +85,8 @@ public:
   //! what is proved of the disk.
   Emptiness emptiness() const { return m_emptiness; }
 
-  //! the answer of the solver, with its proof: the unknowns are the three parameters, and \f$a\f$ or \f$b\f$ as explained at `tangent_circles()`. Nothing is proved of an `UNDECIDED` one.
+  //! the answer of the solver, with its proof: the unknowns are the three parameters, and \f$a\f$ or \f$b\f$ as explained at `tangent_circles()`.
+  //! Nothing is proved of an `UNDECIDED` one.
   const Solution_d<double>& solution() const { return m_solution; }
 };
 
@@ -143,6 +144,8 @@ public:
         for (const Smooth_part& c : third)
           solve({&a, &b, &c});
     m_result.summary = m_solve.total();
+    m_result.summary.is_complete =   // what the other form decided does not count
+      std::none_of(m_result.circles.begin(), m_result.circles.end(), [](const auto& circle) { return circle.solution().kind() == Solution_kind::UNDECIDED; });
     return std::move(m_result);
   }
 
@@ -271,15 +274,17 @@ private:
 
 all circles that are tangent to three curves in the plane, wherever their centers are.
 
-With the normal \f$N = l\,(-y_1', x_1')\f$ of the first curve, \f$l\f$ being the length of its domain, the center is \f$P = C_1(u) + a N(u)\f$, and the circle touches \f$C_2\f$ at \f$v\f$ and \f$C_3\f$ at \f$w\f$ if
+With the normal \f$N = l\,(-y_1', x_1')\f$ of the first curve, \f$l\f$ being the length of its domain, the center is \f$P = C_1(u) + a N(u)\f$, and the circle touches \f$C_2\f$ at
+\f$v\f$ and \f$C_3\f$ at \f$w\f$ if
 \f[ \|C_k - C_1\|^2 = 2a\,\langle N, C_k - C_1\rangle, \quad \langle a N - (C_k - C_1), C_k'\rangle = 0, \quad k = 2, 3, \f]
-four equations in \f$u, v, w, a\f$ that are linear in \f$a\f$. They are solved for \f$\vert a\vert \le 1\f$, and with \f$b = 1/a\f$ for \f$\vert b\vert < 1\f$, so no circle is too large. Lines (\f$b = 0\f$) and points where
-the three curves meet (\f$a = 0\f$) are excluded.
+four equations in \f$u, v, w, a\f$ that are linear in \f$a\f$. They are solved for \f$\vert a\vert \le 1\f$, and with \f$b = 1/a\f$ for \f$\vert b\vert < 1\f$, so no circle is too large.
+Lines (\f$b = 0\f$) and points where the three curves meet (\f$a = 0\f$) are excluded.
 
-Each disk is proved to be empty or not where this is possible in double precision. It is undecided where the circle touches a curve at another point, too, or at a corner, or has the same curvature as a curve in the contact.
+Each disk is proved to be empty or not where this is possible in double precision. It is undecided where the circle touches a curve at another point, too, or at a corner, or has the
+curvature of a curve at the contact.
 
-A curve is split where its derivative jumps. A contact at the seam of a closed curve that has a tangent there, or at another such break, is reported with one parameter. Ends and corners are no contacts, but count when a disk is empty or not.
-Where the derivative of a curve is zero, families of circles come back that pass through the cusp.
+A curve is split where its derivative jumps. A contact at the seam of a closed curve that has a tangent there, or at another such break, is reported with one parameter. Ends and corners
+are no contacts, but count when a disk is empty or not. Where the derivative of a curve is zero, families of circles come back that pass through the cusp.
 
 \tparam C1,C2,C3 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.

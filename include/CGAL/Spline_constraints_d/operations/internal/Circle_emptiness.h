@@ -70,12 +70,12 @@ struct Enclosed_circle
 };
 
 /*
-Whether a circle that touches a curve at a parameter u has a point of the curve inside. With the curve (x,y)/w and the center p, F(t) = |(x,y) - p w|^2 - r^2 w^2 is negative exactly at such points, and has
-a double zero at u: F = (t-u)^2 Q, where the coefficients of Q are those of F divided twice by t-u, by Horner's scheme, in intervals. The remainders are known to be zero. So Q has no zero at the contact, and its
-Bernstein coefficients can prove that it is positive; on pieces without a contact, those of F do.
+Whether a circle that touches a curve at a parameter u has a point of the curve inside. With the curve (x,y)/w and the center p, F(t) = |(x,y) - p w|^2 - r^2 w^2 is negative exactly at
+such points, and has a double zero at u: F = (t-u)^2 Q, where the coefficients of Q are those of F divided twice by t-u, by Horner's scheme, in intervals. The remainders are known to be
+zero. So Q has no zero at the contact, and its Bernstein coefficients can prove that it is positive; on pieces without a contact, those of F do.
 
-Where the contact may lie on a break with a tangent, it may belong to either piece, and the zero of F in the range of u on the other piece is replaced by a value and a slope at the break that lead away from zero
-(`leads_away`).
+Where the contact may lie on a break with a tangent, it may belong to either piece, and the zero of F in the range of u on the other piece is replaced by a value and a slope at the break
+that lead away from zero (`leads_away`).
 */
 class Circle_emptiness
 {
@@ -162,9 +162,9 @@ private:
   }
 
   /*
-  The squared distance less r^2 is D = (t-u)^2 g with g = Q/w^2. At an end e of the piece beyond u, D(e) = (e-u)^2 g is positive with g, and its slope is (e-u) (2 g + (e-u) g'), of which the second factor is shown to
-  exceed g. On the next piece, l times as fast and with the weight v, F has the positive value v^2 D there, and a slope away from zero, v^2 l D' + 2 v v' D, if l exceeds 2 |v'/v| |e-u|. Then
-  F = F(e) + F'(e)(t-e) + (t-e)^2 R is positive with R, which is the quotient there for a zero at e.
+  The squared distance less r^2 is D = (t-u)^2 g with g = Q/w^2. At an end e of the piece beyond u, D(e) = (e-u)^2 g is positive with g, and its slope is (e-u) (2 g + (e-u) g'), of which
+  the second factor is shown to exceed g. On the next piece, l times as fast and with the weight v, F has the positive value v^2 D there, and a slope away from zero, v^2 l D' + 2 v v' D,
+  if l exceeds 2 |v'/v| |e-u|. Then F = F(e) + F'(e)(t-e) + (t-e)^2 R is positive with R, which is the quotient there for a zero at e.
   */
   bool leads_away(std::size_t index, const Interval_tensor& quotient, const Parameter_range& u, int side) const
   {

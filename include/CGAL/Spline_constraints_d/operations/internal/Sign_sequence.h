@@ -37,8 +37,8 @@ struct Sign_event
 };
 
 /*
-The signs of a formula along a curve: events, and the sign in each gap between them, zero in gaps that are empty. A system in one unknown gives all zeros on a piece, so that one value
-between two of them is the sign of the gap.
+The signs of a formula along a curve: events, and the sign in each gap between them, zero in gaps that are empty. A system in one unknown gives all zeros on a piece, so that one
+value between two of them is the sign of the gap.
 */
 class Sign_sequence
 {
