@@ -65,8 +65,9 @@ TEST(Bitangents_2, TouchingCurves)
 {
   const Curve first = SC::bezier_curve(Points{{-2, 4}, {0, -4}, {2, 4}}), second = SC::bezier_curve(Points{{-2, -2}, {0, 2}, {2, -2}});   // y = x^2 and y = -x^2/2
   const auto result = SC::bitangents(first, second);
-  for (const auto& bitangent : result.bitangents)
-    EXPECT_FALSE(bitangent.solution().is_certified());
+  EXPECT_TRUE(result.summary.is_complete) << result.summary;
+  EXPECT_TRUE(result.bitangents.empty());
+  EXPECT_EQ(SC::bitangents(first, second.transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, K::Vector_2(1, K::FT(-1) / 9)))).bitangents.size(), 2u);
 }
 
 // y = x^4 - x^2 + x, which y = x - 1/4 touches twice.
@@ -86,6 +87,32 @@ TEST(Bitangents_2, Quartic)
   // The same curve with breaks.
   const auto pieces = SC::bitangents(quartic.with_knot(K::FT(1) / 3).elevated(5));
   EXPECT_EQ(pieces.bitangents.size(), 1u);
+}
+
+// The curvature of a quadratic B-spline curve changes its sign at knots. Its first and third piece have their highest points at the same height.
+TEST(Bitangents_2, InflectionsOnBreaks)
+{
+  const Curve curve(2, {0, 0, 0, 1, 2, 3, 3, 3}, Points{{0, 0}, {1, 2}, {3, -2}, {5, 2}, {6, 0}});
+  const auto result = SC::bitangents(curve);
+  EXPECT_TRUE(all_certified(result)) << result.summary;
+  ASSERT_EQ(result.bitangents.size(), 1u);
+  EXPECT_DOUBLE_EQ(result.bitangents[0].contact(0).parameter(), 0.5);
+  EXPECT_DOUBLE_EQ(result.bitangents[0].contact(1).parameter(), 2.5);
+}
+
+// Two lines from the ends of a corner: each piece is a curve of its own.
+TEST(Bitangents_2, CornersAndStraightPieces)
+{
+  const Curve roof = SC::polyline_curve(Points{{-3, 0}, {0, 3}, {3, 0}});
+  EXPECT_TRUE(SC::bitangents(roof).bitangents.empty());
+  const auto tangents = SC::bitangents(SC::circle_curve(K::Point_2(0, 0), K::FT(1)), roof);   // neither line touches the circle
+  EXPECT_TRUE(tangents.summary.is_complete && tangents.bitangents.empty());
+
+  // A drop with its tip at the seam, and a circle beside it: of the four supporting lines of the two, one goes through the tip.
+  const Curve drop = SC::bezier_curve(Points{{0, 0}, {3, 3}, {-3, 3}, {0, 0}});
+  const auto around = SC::bitangents(drop, SC::circle_curve(K::Point_2(6, 2), K::FT(1)));
+  EXPECT_TRUE(all_certified(around)) << around.summary;
+  EXPECT_EQ(around.bitangents.size(), 3u);
 }
 
 // Fabricius-Bjerre: of a closed curve without double points, the bitangents with the curve on one side of both contacts are more than the others by half of the number of inflections.

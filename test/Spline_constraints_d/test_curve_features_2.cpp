@@ -109,6 +109,30 @@ TEST(Curve_features_2, FeaturesAtBreaks)
   EXPECT_EQ(answers(corner), (Answers{{Kind::BREAK, 0}}));
 }
 
+// What is at the seam of a closed curve is seen from both sides.
+TEST(Curve_features_2, Seams)
+{
+  // The seam is in the middle of the lower side of a square.
+  const Curve square = SC::polyline_curve(Points{{1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}, {1, 0}});
+  const auto heights = SC::extreme_points(square, K::Vector_2(0, 1));
+  EXPECT_EQ(answers(heights), (Answers{{Kind::MINIMUM, 0.5}, {Kind::MAXIMUM, 2.5}, {Kind::MINIMUM, 4.5}}));
+  for (const auto& feature : heights.features)
+    EXPECT_TRUE(feature.is_family() && CGAL::certainly(feature.is_global()));
+  const auto turns = SC::inflections(square);
+  EXPECT_TRUE(turns.count(Kind::CONSTANT) == 5 && turns.count(Kind::BREAK) == 4 && turns.features.size() == 9);
+  EXPECT_EQ(answers(SC::extreme_points(square, K::Vector_2(1, 1))), (Answers{{Kind::MAXIMUM, 2}, {Kind::MINIMUM, 4}}));
+
+  // Quadratic pieces that turn to the left and to the right: an inflection on each knot.
+  std::vector<K::FT> period;
+  for (int i = 0; i <= 8; ++i)
+    period.push_back(K::FT(i));
+  const Curve star = Curve::from_periodic(2, period, Points{{0, 0}, {2, 1}, {4, 0}, {3, 2}, {4, 4}, {2, 3}, {0, 4}, {1, 2}});
+  const auto inflections = answers(SC::inflections(star));
+  ASSERT_EQ(inflections.size(), 8u);
+  for (int i = 0; i < 8; ++i)
+    EXPECT_EQ(inflections[i], std::pair(Kind::INFLECTION, static_cast<double>(i)));
+}
+
 TEST(Curve_features_2, ExtremePoints)
 {
   const auto circle = SC::extreme_points(SC::circle_curve(K::Point_2(0, 0), K::FT(5)), K::Vector_2(1, 0));

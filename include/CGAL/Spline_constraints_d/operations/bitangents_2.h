@@ -66,7 +66,7 @@ class Bitangent_finder
   using Region = std::array<Range, 2>;
   using Contact = Point_on_spline<Kernel, 1, 2>;
 
-  // Two parts about a common end of them that are convex together: no line is tangent to both.
+  // Two arcs about a common end of them such that no line is tangent to both.
   using Joint = Region;
 
   const std::array<const Planar_map*, 2> m_curves;
@@ -96,9 +96,9 @@ public:
       for (std::size_t j = i; j < n; ++j) {
         std::vector<Joint> joints;
         if (j == i + 1)
-          append(joints, convex_joint(pieces[i], pieces[j], false));
+          append(joints, curved_joint(pieces[i], pieces[j], false));
         if (i == 0 && j + 1 == n && m_curves[0]->is_closed())
-          append(joints, convex_joint(pieces[j], pieces[i], true));
+          append(joints, curved_joint(pieces[j], pieces[i], true));
         for (const Region& region : without(whole(pieces[i], pieces[j]), joints))
           i == j ? solve_piece(pieces[i], region) : solve_pair(pieces[i], pieces[j], {region});
       }
@@ -163,28 +163,27 @@ private:
   static void append(std::vector<Joint>& joints, std::vector<Joint> more) { joints.insert(joints.end(), more.begin(), more.end()); }
 
   /*
-  Parts of two pieces on both sides of their common end that make one arc with curvature of one sign and less than a half turn. The directions of its tangents are all different, so none is
-  tangent twice. Nothing when no such arc is found, as at an inflection.
+  Arcs of two pieces on both sides of their common end that are graphs over the tangent there, and curved everywhere. If both are curved to the same side, no two tangents of theirs have the same
+  direction; if to different ones, tangents of one pass below the common end and those of the other one above it. Nothing when no such arcs are found, as where the curvature is zero at the end.
   */
-  std::vector<Joint> convex_joint(const Smooth_part& before, const Smooth_part& after, bool is_seam)
+  std::vector<Joint> curved_joint(const Smooth_part& before, const Smooth_part& after, bool is_seam)
   {
     if (!have_common_tangent(before.curve, after.curve))
       return {};
     const Differentiated_map a(before.curve.map(), 2), b(after.curve.map(), 2);
     const Exact_pair direction = a.at(1, a.end());
-    const int turn = sign_of(exact_cross(direction, a.at(2, a.end())));
-    if (turn == 0 || turn != sign_of(exact_cross(b.at(1, b.begin()), b.at(2, b.begin()))))
+    if (sign_of(exact_cross(direction, a.at(2, a.end()))) == 0 || sign_of(exact_cross(b.at(1, b.begin()), b.at(2, b.begin()))) == 0)
       return {};
     Exact_rational share = Exact_rational(5) / 16;
     for (int halvings = 0; halvings < 20; ++halvings, share /= 2) {
       const Range end{Exact_rational(a.end() - share * (a.end() - a.begin())), a.end()}, begin{b.begin(), Exact_rational(b.begin() + share * (b.end() - b.begin()))};
-      if (is_convex(a, end, direction) && is_convex(b, begin, direction))
+      if (is_curved(a, end, direction) && is_curved(b, begin, direction))
         return {is_seam ? Joint{begin, end} : Joint{end, begin}};
     }
     return {};
   }
 
-  bool is_convex(const Differentiated_map& piece, const Range& range, const Exact_pair& direction)
+  bool is_curved(const Differentiated_map& piece, const Range& range, const Exact_pair& direction)
   {
     const std::vector<Unknown> u = unknowns({{Bound(range.first), Bound(range.second)}});
     const Vector_expression<2> tangent = piece(1, u[0]);
@@ -261,10 +260,10 @@ all lines that are tangent to a curve at two different points, each once.
 
 On one polynomial piece, \f$u = v\f$ satisfies the equations. It is divided out exactly, in such a way that inflections are no solutions either: of
 \f$H = C'(u) \times (C(u)-C(v)) / (u-v)^2\f$ and \f$G = C'(u) \times C'(v) / (u-v)\f$ the system \f$H = 0\f$, \f$(G - 2H)/(u-v) = 0\f$, \f$u < v\f$ is solved, whose second
-function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces with a common end are solved without an arc around it that is proved to be convex. Where there is none, that is at an
-inflection on a break, the common end may come back undecided.
+function is \f$C' \times C'''/6\f$ on the diagonal. Two pieces with a common end are solved without two arcs around it that are proved to be curved everywhere, so that no line is tangent to both.
+Where the curvature is zero at the end of one of the pieces, there are none, and the common end may come back undecided.
 
-Straight pieces are not reported as tangent to themselves.
+Straight pieces are not reported as tangent to themselves; one that goes on smoothly into another piece is a family.
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.

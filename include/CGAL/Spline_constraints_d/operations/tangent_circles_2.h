@@ -76,10 +76,10 @@ public:
   //! a range of the square of the radius.
   const Range& squared_radius_range() const { return m_squared_radius; }
 
-  //! the middle of the range of a coordinate of the center.
+  //! the middle of the range of a coordinate of the center; not a number where the range is infinite.
   double center(std::size_t axis) const { return m_center[axis].first / 2 + m_center[axis].second / 2; }
 
-  //! the radius, near the middle of its range.
+  //! the radius: the root of the middle of the range of its square.
   double radius() const { return std::sqrt(m_squared_radius.first / 2 + m_squared_radius.second / 2); }
 
   //! what is proved of the disk.
@@ -213,7 +213,9 @@ private:
   void report(const Solution_d<double>& solution, const Parts& parts, Form form)
   {
     using Contact = Point_on_spline<Kernel, 1, 2>;
-    const Exact_box box = solution.exact_box();
+    Exact_box box = solution.exact_box();
+    for (std::size_t k = 0; k < 3; ++k)
+      box[k] = {std::clamp(box[k].first, parts[k]->curve.begin(), parts[k]->curve.end()), std::clamp(box[k].second, parts[k]->curve.begin(), parts[k]->curve.end())};
     std::array<Contact, 3> contacts{Contact(m_curves[0], {box[0]}), Contact(m_curves[1], {box[1]}), Contact(m_curves[2], {box[2]})};
     const Upward_rounding_guard guard;
     const Enclosed_circle circle = enclosed(contacts[0].parameter_range(), box[3], form);
