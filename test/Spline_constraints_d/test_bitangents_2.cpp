@@ -100,7 +100,7 @@ TEST(Bitangents_2, InflectionsOnBreaks)
   EXPECT_DOUBLE_EQ(result.bitangents[0].contact(1).parameter(), 2.5);
 }
 
-// Two lines from the ends of a corner: each piece is a curve of its own.
+// No line touches a corner.
 TEST(Bitangents_2, CornersAndStraightPieces)
 {
   const Curve roof = SC::polyline_curve(Points{{-3, 0}, {0, 3}, {3, 0}});
@@ -108,11 +108,11 @@ TEST(Bitangents_2, CornersAndStraightPieces)
   const auto tangents = SC::bitangents(SC::circle_curve(K::Point_2(0, 0), K::FT(1)), roof);   // neither line touches the circle
   EXPECT_TRUE(tangents.summary.is_complete && tangents.bitangents.empty());
 
-  // A drop with its tip at the seam, and a circle beside it: of the four supporting lines of the two, one goes through the tip.
+  // A drop with its tip at the seam, and a circle beside it: of the four lines that support both, two go through the tip.
   const Curve drop = SC::bezier_curve(Points{{0, 0}, {3, 3}, {-3, 3}, {0, 0}});
   const auto around = SC::bitangents(drop, SC::circle_curve(K::Point_2(6, 2), K::FT(1)));
   EXPECT_TRUE(all_certified(around)) << around.summary;
-  EXPECT_EQ(around.bitangents.size(), 3u);
+  EXPECT_EQ(around.bitangents.size(), 2u);
 }
 
 // Fabricius-Bjerre: of a closed curve without double points, the bitangents with the curve on one side of both contacts are more than the others by half of the number of inflections.
