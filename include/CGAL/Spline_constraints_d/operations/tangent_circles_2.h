@@ -280,7 +280,8 @@ With the normal \f$N = l\,(-y_1', x_1')\f$ of the first curve, \f$l\f$ being the
 \f$v\f$ and \f$C_3\f$ at \f$w\f$ if
 \f[ \|C_k - C_1\|^2 = 2a\,\langle N, C_k - C_1\rangle, \quad \langle a N - (C_k - C_1), C_k'\rangle = 0, \quad k = 2, 3, \f]
 four equations in \f$u, v, w, a\f$ that are linear in \f$a\f$. They are solved for \f$\vert a\vert \le 1\f$, and with \f$b = 1/a\f$ for \f$\vert b\vert < 1\f$, so no circle is too large.
-Lines (\f$b = 0\f$) and points where the three curves meet (\f$a = 0\f$) are excluded.
+Lines (\f$b = 0\f$) and points where the three curves meet (\f$a = 0\f$) are excluded. A circle through a point where two of the curves touch is a
+multiple solution, a cluster or undecided.
 
 Each disk is proved to be empty or not where this is possible in double precision. It is undecided where the circle touches a curve at another point, too, or at a corner, or has the
 curvature of a curve at the contact.
