@@ -164,4 +164,44 @@ TEST(Tangent_circles_2, PlantedCircles)
   }
 }
 
+// The equations start from the first curve; the circles do not depend on that. Curves cross each other, and every other one is rational.
+TEST(Tangent_circles_2, AnyOrder)
+{
+  std::mt19937 random(8);
+  const auto number = [&] { return static_cast<int>(random() % 21) - 10; };
+  std::size_t found = 0, empty = 0;
+  for (int round = 0; round < 5; ++round) {
+    std::vector<Curve> curves;
+    for (int i = 0; i < 3; ++i)
+      curves.push_back(SC::bezier_curve(Points{{number(), number()}, {number(), number()}, {number(), number()}, {number(), number()}},
+                                        i == 1 ? std::vector<K::FT>{1, 2, 1, 3} : std::vector<K::FT>{}));
+    std::vector<std::vector<std::pair<double, Emptiness>>> answers(3);
+    for (std::size_t first = 0; first < 3; ++first) {
+      const auto result = SC::tangent_circles(curves[first], curves[(first + 1) % 3], curves[(first + 2) % 3]);
+      EXPECT_TRUE(result.summary.is_complete) << round << ' ' << result.summary;
+      for (const auto& circle : result.circles) {
+        answers[first].emplace_back(circle.radius(), circle.emptiness());
+        double nearest = 1e300;
+        for (const Curve& curve : curves)
+          for (int i = 0; first == 0 && i <= 400; ++i) {
+            const K::Point_2 p = curve(K::FT(i) / 400);
+            nearest = std::min(nearest, std::hypot(CGAL::to_double(p.x()) - circle.center(0), CGAL::to_double(p.y()) - circle.center(1)));
+          }
+        EXPECT_TRUE(circle.emptiness() == Emptiness::NOT_EMPTY || nearest > circle.radius() * (1 - 1e-9));
+        empty += circle.emptiness() == Emptiness::EMPTY;
+      }
+      std::sort(answers[first].begin(), answers[first].end());
+      ASSERT_EQ(answers[first].size(), answers[0].size()) << round;
+      for (std::size_t i = 0; i < answers[0].size(); ++i) {
+        EXPECT_NEAR(answers[first][i].first, answers[0][i].first, 1e-7 * answers[0][i].first);
+        EXPECT_EQ(answers[first][i].second, answers[0][i].second);
+        EXPECT_NE(answers[first][i].second, Emptiness::UNDECIDED);
+      }
+    }
+    found += answers[0].size();
+  }
+  EXPECT_GT(found, 10u);
+  EXPECT_GT(empty, 5u);
+}
+
 } // namespace
