@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Rational_interval.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>

@@ -27,13 +27,6 @@ inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exac
   return {lower, upper};
 }
 
-// Whether sqrt(upper) - sqrt(lower) is proved to be at most a tolerance: it is at most (upper - lower) / sqrt(upper).
-inline bool roots_are_within(const Exact_rational& lower, const Exact_rational& upper, const Exact_rational& tolerance)
-{
-  const Exact_rational difference(upper - lower);
-  return difference <= 0 || Exact_rational(difference * difference) <= Exact_rational(tolerance * tolerance * upper);
-}
-
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
