@@ -50,7 +50,8 @@ public:
   {}
 #endif
 
-  //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the derivatives of the distance are as they were asked for; in a `CONTINUUM` there are infinitely
+  //! what is proved: with `CERTIFIED`, the ranges hold the parameters of exactly one pair of points where the derivatives of the distance are as they were asked for; in a
+  //! `CONTINUUM` there are infinitely
   //! many; of `CLUSTER` and `UNDECIDED` see `Solution_kind`.
   Solution_kind kind() const { return m_distance.kind; }
 
@@ -60,7 +61,8 @@ public:
   //! a number in that range, rounded to double.
   double parameter(std::size_t operand, std::size_t axis = 0) const { return to_nearest_double(m_distance.sample[operand][axis]); }
 
-  //! the point of an operand with parameters in the middle of the ranges; of a segment of solutions, in its middle. Where the ranges are numbers and the kernel is exact, the point itself.
+  //! the point of an operand with parameters in the middle of the ranges; of a segment of solutions, in its middle. Where the ranges are numbers and the kernel is exact, the
+  //! point itself.
   const Point& point(std::size_t operand) const { return m_points[operand]; }
 
   //! the square of the distance lies between these numbers.
@@ -136,9 +138,11 @@ public:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all feet of perpendiculars from a point \f$P\f$ to a curve or surface: \f$\langle C(u) - P, C'(u)\rangle = 0\f$, for a surface one equation for each of its two derivatives. Every foot is reported, near or far.
+all feet of perpendiculars from a point \f$P\f$ to a curve or surface: \f$\langle C(u) - P, C'(u)\rangle = 0\f$, for a surface one equation for each of its two derivatives.
+Every foot is reported, near or far.
 
-Where the tangent jumps at a knot, or at the seam of a closed curve, a foot is perpendicular to the piece on one of the sides. The seam counts once. Points that see a whole piece at the same distance, as the
+Where the tangent jumps at a knot, or at the seam of a closed curve, a foot is perpendicular to the piece on one of the sides. The seam counts once. Points that see a whole
+piece at the same distance, as the
 center of a circle does, get a `CONTINUUM`. What satisfies the equations because a derivative is zero, as at the poles of a sphere, is reported as well.
 
 \tparam Point `CGAL::Point_2` or `CGAL::Point_3`.
@@ -169,14 +173,18 @@ auto projections(const Point& point, const Object& object, const Solver_options&
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-where two of {point, curve, surface} in the plane or in space are closest to each other: the pairs of parameters for which \f$|A - B|^2\f$ is least, and a certified enclosure of that number.
+where two of {point, curve, surface} in the plane or in space are closest to each other: the pairs of parameters for which \f$|A - B|^2\f$ is least, and a certified enclosure
+of that number.
 
-A least distance is attained in the interior of smooth pieces, where all derivatives of \f$|A-B|^2\f$ are zero; or with some parameters at an end of the domain, or at a knot or seam where the tangent jumps: there, the
-derivatives by these parameters have signs that do not admit shorter distances, and those by the others are zero. Each of these cases is a system that the solver finds all solutions of. Their
+A least distance is attained in the interior of smooth pieces, where all derivatives of \f$|A-B|^2\f$ are zero; or with some parameters at an end of the domain, or at a knot
+or seam where the tangent jumps: there, the
+derivatives by these parameters have signs that do not admit shorter distances, and those by the others are zero. Each of these cases is a system that the solver finds all
+solutions of. Their
 distances are enclosed, and a solution is dropped if another pair of points is nearer, for certain. What is left is reported: one pair, or several that have the same distance by
 symmetry or cannot be told apart. An answer of the solver that is undecided is kept, unless all of it is farther away.
 
-Solutions with rational parameters are recognized and get exact distances. Where the operands cross at a regular solution of \f$A = B\f$, the distance is exactly zero. So it is where a pair with rational parameters has it; touching operands in other places get a range from zero on.
+Solutions with rational parameters are recognized and get exact distances. Where the operands cross at a regular solution of \f$A = B\f$, the distance is exactly zero. So it
+is where a pair with rational parameters has it; touching operands in other places get a range from zero on.
 A point on the seam of a closed curve or surface is reported with the first parameter of the seam.
 
 \tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, or models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`, of the same kernel in the same dimension.
@@ -185,7 +193,8 @@ A point on the seam of a closed curve or surface is reported with the first para
 \param options those of the solver. Its limits hold for each of the systems.
 \throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
 
-Complexity: that of a system in as many unknowns as the operands have parameters, for each pair of smooth pieces, and of smaller ones for their edges and corners; pairs that are too far apart are not looked at.
+Complexity: that of a system in as many unknowns as the operands have parameters, for each pair of smooth pieces, and of smaller ones for their edges and corners; pairs that
+are too far apart are not looked at.
 */
 template <class A, class B>
   requires internal::Distance_operands<A, B>

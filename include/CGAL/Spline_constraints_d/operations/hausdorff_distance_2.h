@@ -57,7 +57,8 @@ public:
   //! the curve that has the far point, 0 or 1.
   std::size_t curve() const { return m_curve; }
 
-  //! the parameter on the first (0) or second (1) curve: on `curve()`, of a point whose distance from the other curve lies in the range as well, by proof; on the other one, of a point near the one that is nearest to it.
+  //! the parameter on the first (0) or second (1) curve: on `curve()`, of a point whose distance from the other curve lies in the range as well, by proof; on the other one,
+  //! of a point near the one that is nearest to it.
   const Exact_rational& parameter(std::size_t curve) const { return m_parameters[curve]; }
 
   //! the point with this parameter.
@@ -67,7 +68,8 @@ public:
 namespace internal {
 
 /*
-max_u min_v |A(u) - B(v)|^2, by branch and bound. At the middle of a range of u, the least distance from B is bounded from below: so is the maximum. On the range, it is bounded from above by the distances
+max_u min_v |A(u) - B(v)|^2, by branch and bound. At the middle of a range of u, the least distance from B is bounded from below: so is the maximum. On the range, it is
+bounded from above by the distances
 from points of B that move with u.
 */
 class Farthest_point_search
@@ -171,8 +173,10 @@ the Hausdorff distance of two curves in the plane, the largest distance of a poi
 \f$h(A,B) = \max_u \min_v |A(u) - B(v)|\f$. The bounds are certified, and
 their difference is at most the tolerance, unless that is so small (about \f$10^{-12}\f$ times the size of the curves) that the rounding of doubles shows. Curves may have corners.
 
-Ranges of the curve's parameter are bisected, those with the largest upper bounds first. For the middle \f$m\f$ of one, the least distance from \f$B\f$ is bounded from below, by another branch and bound. With a point \f$B(v)\f$
-next to \f$A(m)\f$, the distances of the whole range are bounded from above by those of \f$A(u)\f$ from \f$B(v)\f$ and from \f$B(v + s(u-m))\f$, where \f$s\f$ makes the point follow \f$A(u)\f$. Their error is of second order in the length of the
+Ranges of the curve's parameter are bisected, those with the largest upper bounds first. For the middle \f$m\f$ of one, the least distance from \f$B\f$ is bounded from below,
+by another branch and bound. With a point \f$B(v)\f$
+next to \f$A(m)\f$, the distances of the whole range are bounded from above by those of \f$A(u)\f$ from \f$B(v)\f$ and from \f$B(v + s(u-m))\f$, where \f$s\f$ makes the point
+follow \f$A(u)\f$. Their error is of second order in the length of the
 range where \f$h\f$ is attained on smooth pieces, so that few ranges are left at every length, and where the curves are parallel.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.

@@ -212,11 +212,18 @@ private:
   {
     if (solution.kind() != Solution_kind::CONTINUUM)
       return false;
-    return solution.box().size() == 1 || !solution.ends().empty() || std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) {
-      const Spline_function function = c.spline_function();
-      return c.relation != Relation::EQUAL || std::all_of(function.terms().begin(), function.terms().end(), [](const Spline_term& term) {
-        return std::all_of(term.pieces.begin(), term.pieces.end(), [](const auto& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& x) { return x == 0; }); });
-      });
+    return solution.box().size() == 1 || !solution.ends().empty() || std::all_of(constraints.begin(), constraints.end(), is_identically_satisfied);
+  }
+
+  // Of an equation. Inequalities do not matter.
+  static bool is_identically_satisfied(const Constraint& constraint)
+  {
+    if (constraint.relation != Relation::EQUAL)
+      return true;
+    const auto is_zero = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& x) { return x == 0; }); };
+    const Spline_function function = constraint.spline_function();
+    return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) {
+      return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero);
     });
   }
 
@@ -298,9 +305,11 @@ private:
       std::pop_heap(parts.begin(), parts.end(), is_farther);
       Box box = std::move(parts.back().box);
       parts.pop_back();
-      Parameter_range& longest = *std::max_element(box.begin(), box.end(), [](const Parameter_range& p, const Parameter_range& q) { return p.second - p.first < q.second - q.first; });
+      const auto is_shorter = [](const Parameter_range& p, const Parameter_range& q) { return p.second - p.first < q.second - q.first; };
+      Parameter_range& longest = *std::max_element(box.begin(), box.end(), is_shorter);
       const Parameter_range whole = longest;
-      const Exact_rational quarter((whole.second - whole.first) / 4), cut = simplest_rational_between(Exact_rational(whole.first + quarter), Exact_rational(whole.second - quarter));
+      const Exact_rational quarter((whole.second - whole.first) / 4);
+      const Exact_rational cut = simplest_rational_between(Exact_rational(whole.first + quarter), Exact_rational(whole.second - quarter));
       longest.second = cut;
       push(box);
       longest = {cut, whole.second};

@@ -84,7 +84,8 @@ public:
 };
 
 /*
-A part of a planar curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the pieces between breaks, with
+A part of a planar curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
+pieces between breaks, with
 exact bounds; of these their halves, and so on, in intervals.
 */
 class Curve_tree_2

@@ -63,7 +63,8 @@ struct Distance_operand<CGAL::Point_3<K>>
 
 // Two of them in the same space and kernel.
 template <class A, class B>
-concept Distance_operands = Distance_operand<A>::dimension == Distance_operand<B>::dimension && std::same_as<typename Distance_operand<A>::Kernel, typename Distance_operand<B>::Kernel>;
+concept Distance_operands =
+  Distance_operand<A>::dimension == Distance_operand<B>::dimension && std::same_as<typename Distance_operand<A>::Kernel, typename Distance_operand<B>::Kernel>;
 
 } // namespace internal
 } // namespace Spline_constraints

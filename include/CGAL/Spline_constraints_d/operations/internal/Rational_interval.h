@@ -30,7 +30,8 @@ struct Rational_interval
 
   friend Rational_interval operator*(const Rational_interval& a, const Rational_interval& b)
   {
-    const std::array<Exact_rational, 4> products{Exact_rational(a.lower * b.lower), Exact_rational(a.lower * b.upper), Exact_rational(a.upper * b.lower), Exact_rational(a.upper * b.upper)};
+    const std::array<Exact_rational, 4> products{Exact_rational(a.lower * b.lower), Exact_rational(a.lower * b.upper),
+                                                 Exact_rational(a.upper * b.lower), Exact_rational(a.upper * b.upper)};
     const auto [least, greatest] = std::minmax_element(products.begin(), products.end());
     return {*least, *greatest};
   }

@@ -217,12 +217,17 @@ public:
 private:
   bool is_one_point() const
   {
-    return std::all_of(m_bounds.begin(), m_bounds.end(), [](const Rational_interval& x) { return x.lower == x.upper; });
+    const std::array<Exact_rational, d> point = m_patch(std::array{m_patch.domain(0).first});
+    for (int i = 0; i < d; ++i)
+      if (!(m_patch.numerators()[i] == m_patch.weight() * point[i]))
+        return false;
+    return true;
   }
 
   static Parameter_range at_begin(const Parameter_range& range) { return {range.first, range.first}; }
 
-  // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is orthogonal, that is a solution on the pieces that end there; so they are asked for signs, a few of them.
+  // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is orthogonal, that is a solution on the pieces that end there;
+  // so they are asked for signs, a few of them.
   void add_slopes(const Spline_patch<d>& whole, std::size_t axis, const Parameter_range& cell, int side, Relation relation)
   {
     const Vector_of_functions<d> tangent = whole.one_sided_tangent(static_cast<int>(axis), cell, side);
