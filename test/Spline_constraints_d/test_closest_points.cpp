@@ -226,6 +226,17 @@ TEST(Closest_points, PointAndRectangle)
   expect_distance(rectangle, SC::segment_curve(K::Point_3(-1, 1, 1), K::Point_3(1, 1, -1)), 0);
 }
 
+// An edge of one patch passes through the other one at irrational parameters.
+TEST(Closest_points, IntersectingPatches)
+{
+  const auto a = SC::bilinear_surface(K::Point_3(0, 0, 0), K::Point_3(0, 3, 1), K::Point_3(2, 0, 0), K::Point_3(2, 3, 0));
+  const auto b = SC::bilinear_surface(K::Point_3(1, 1, -1), K::Point_3(1, 1, 2), K::Point_3(2, 2, -1), K::Point_3(1, 3, 2));
+  const auto closest = SC::closest_points(a, b);
+  ASSERT_FALSE(closest.empty());
+  EXPECT_EQ(closest.squared_distance_range(), exactly(0));
+  EXPECT_FALSE(closest.is_unique());
+}
+
 TEST(Closest_points, Sphere)
 {
   const auto sphere = SC::sphere_surface(K::Point_3(0, 0, 0), K::FT(2));

@@ -201,9 +201,10 @@ private:
     m_found.back().boxes = boxes;
     Rational_interval& range = m_found.back().distance.squared_distance;
     range = is_connected_continuum(solution, constraints) ? range_on(a, b, box_at(sample)) : range_on(a, b, boxes);
-    if (range.lower == 0 && range.upper > 0 && solution.is_certified() && is_crossing(a, b, solution))
+    const bool is_zero = range.lower == 0 && range.upper > 0 && is_crossing(a, b, solution);
+    if (is_zero)
       range = Rational_interval(Exact_rational(0));
-    if (solution.kind() != Solution_kind::UNDECIDED)
+    if (is_zero || solution.kind() != Solution_kind::UNDECIDED)
       m_upper = (std::min)(m_upper, range.upper);
   }
 
@@ -332,12 +333,15 @@ private:
     });
   }
 
-  // Whether a critical point is a regular solution of A = B. Such ones are critical points, and this one is the only one in its region.
-  bool is_crossing(const Site& a, const Site& b, const Solution& solution)
+  // Whether a critical point is a regular solution of A = B, by proof. As such ones are critical points, it is enough that there is one where no other critical point is.
+  bool is_crossing(const Site& a, const Site& b, const Solution& solution) const
   {
-    if (solution.uniqueness_region().empty() || solution.box().size() > d)
+    const Undecided_reason reason = solution.reason();
+    const bool is_regular = solution.is_certified() || reason == Undecided_reason::INEQUALITY || reason == Undecided_reason::DOMAIN_BOUNDARY;
+    if (!is_regular || solution.box().size() > d)
       return false;
-    const std::vector<Unknown> u = unknowns_in(clipped(solution.exact_uniqueness_region(), domain_of(a, b)));
+    const Box region = solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region();
+    const std::vector<Unknown> u = unknowns_in(clipped(region, domain_of(a, b)));
     const std::span<const Unknown> all(u);
     const Vector_expression<d> difference = a.point(all.first(a.free_axes().size())) - b.point(all.subspan(a.free_axes().size()));
     std::vector<Constraint> constraints;
