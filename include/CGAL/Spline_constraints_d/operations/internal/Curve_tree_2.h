@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Double_interval = CGAL::Interval_nt<false>;   // within an Upward_rounding_guard
+using Double_intervals_2 = std::array<Double_interval, 2>;
+
+inline Double_intervals_2 difference(const Double_intervals_2& a, const Double_intervals_2& b) { return {a[0] - b[0], a[1] - b[1]}; }
+inline Double_interval dot(const Double_intervals_2& a, const Double_intervals_2& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Double_interval squared_norm(const Double_intervals_2& a) { return square(a[0]) + square(a[1]); }
+
+inline Double_interval rounded(const Rational_interval& x) { return {to_double_interval(x.lower).first, to_double_interval(x.upper).second}; }
+inline Double_interval hull_of(const Double_interval& a, const Double_interval& b) { return {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())}; }
+
+// A polynomial on a range, by its Bernstein coefficients.
+class Bernstein_row
+{
+  std::vector<Double_interval> m_coefficients;
+
+public:
+  Bernstein_row() = default;
+
+  //! \pre no break inside the domain
+  explicit Bernstein_row(const Exact_function& f)
+  {
+    const Exact_function clamped = f.restricted(0, f.domain(0).first, f.domain(0).second);
+    for (const Exact_rational& x : clamped.coefficients())
+      m_coefficients.emplace_back(to_double_interval(x));
+  }
+
+  Double_interval bounds() const
+  {
+    Double_interval result = m_coefficients[0];
+    for (const Double_interval& x : m_coefficients)
+      result = hull_of(result, x);
+    return result;
+  }
+
+  // Of the derivative by the place in the range, from 0 to 1.
+  Double_interval derivative_bounds() const
+  {
+    if (m_coefficients.size() < 2)
+      return 0;
+    Double_interval result = m_coefficients[1] - m_coefficients[0];
+    for (std::size_t i = 2; i < m_coefficients.size(); ++i)
+      result = hull_of(result, m_coefficients[i] - m_coefficients[i - 1]);
+    return static_cast<double>(m_coefficients.size() - 1) * result;
+  }
+
+  // Becomes the first half, and gives the second one, which begins with the value in the middle.
+  Bernstein_row split()
+  {
+    Bernstein_row second(*this);
+    std::vector<Double_interval>& values = second.m_coefficients;
+    for (std::size_t r = 1; r < values.size(); ++r) {
+      for (std::size_t k = 0; k + r < values.size(); ++k)
+        values[k] = 0.5 * (values[k] + values[k + 1]);
+      m_coefficients[r] = values[0];
+    }
+    return second;
+  }
+
+  const Double_interval& front() const { return m_coefficients.front(); }
+};
+
+/*
+A part of a planar curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
+pieces between breaks, with
+exact bounds; of these their halves, and so on, in intervals.
+*/
+class Curve_tree_2
+{
+  Parameter_range m_range;
+  Exact_rational m_middle;
+  Double_interval m_width;
+  std::shared_ptr<const Spline_patch<2>> m_patch;   // of the whole curve only
+  int m_level = 0;
+  std::array<Bernstein_row, 2> m_numerators;
+  std::optional<Bernstein_row> m_weight;
+  Double_intervals_2 m_middle_point, m_values, m_tangents;
+  mutable std::vector<Curve_tree_2> m_children;
+
+public:
+  explicit Curve_tree_2(const Spline_patch<2>& curve) : Curve_tree_2(curve, curve.domain(0)) { m_patch = std::make_shared<const Spline_patch<2>>(curve); }
+
+  const Spline_patch<2>& patch() const { return *m_patch; }
+  const Exact_rational& middle() const { return m_middle; }
+  const Double_intervals_2& middle_point() const { return m_middle_point; }
+  const Double_intervals_2& tangents() const { return m_tangents; }
+  double radius() const { return (m_width / 2.0).sup(); }
+
+  // Whether rounding may keep the bounds of smaller parts from being better.
+  bool is_tiny() const { return m_level > 44; }
+
+  // The differences of parameters from the middle.
+  Double_interval steps() const { return {-radius(), radius()}; }
+
+  const std::vector<Curve_tree_2>& children() const
+  {
+    if (m_children.empty() && m_patch != nullptr)
+      add_pieces();
+    else if (m_children.empty())
+      add_halves();
+    return m_children;
+  }
+
+  // Bounds of the squared distances of the points from another one, by the mean value theorem.
+  Double_interval squared_distance_bounds(const Double_intervals_2& point) const
+  {
+    const Double_intervals_2 offset = difference(m_values, point);
+    const Double_interval direct = squared_norm(offset), by_slopes = squared_norm(difference(m_middle_point, point)) + 2.0 * dot(offset, m_tangents) * steps();
+    return {(std::max)(direct.inf(), by_slopes.inf()), (std::min)(direct.sup(), by_slopes.sup())};
+  }
+
+  // Bounds of the derivative where the parameter is in a range that meets this part, from parts that are not much longer.
+  Double_intervals_2 tangents_over(const Parameter_range& range) const
+  {
+    if ((range.first <= m_range.first && m_range.second <= range.second) || m_range.second - m_range.first <= range.second - range.first)
+      return m_tangents;
+    std::optional<Double_intervals_2> result;
+    for (const Curve_tree_2& child : children())
+      if (child.m_range.first <= range.second && range.first <= child.m_range.second) {
+        const Double_intervals_2 part = child.tangents_over(range);
+        result = result ? Double_intervals_2{hull_of((*result)[0], part[0]), hull_of((*result)[1], part[1])} : part;
+      }
+    return *result;
+  }
+
+  // About how fast the point of this curve that is nearest to a point of another one moves when that does, <A', B'> / <B', B'>: any number will do.
+  double speed_along(const Curve_tree_2& other) const
+  {
+    const auto middle = [](const Double_interval& x) { return (x.inf() + x.sup()) / 2; };
+    const double x = middle(m_tangents[0]), y = middle(m_tangents[1]);
+    const float speed = static_cast<float>((x * middle(other.m_tangents[0]) + y * middle(other.m_tangents[1])) / (x * x + y * y));   // short, so that products are
+    return std::isfinite(speed) ? speed : 0;
+  }
+
+private:
+  // The whole curve, or a piece of it.
+  Curve_tree_2(const Spline_patch<2>& patch, const Parameter_range& range)
+    : m_range(range), m_middle(middle_of(range)), m_width(to_double_interval(Exact_rational(range.second - range.first)))
+  {
+    const std::array<Exact_rational, 2> point = patch(patch.middle());
+    const Vector_bounds<2> values = patch.values(), tangents = patch.tangents(0);
+    for (std::size_t i = 0; i < 2; ++i) {
+      m_middle_point[i] = to_double_interval(point[i]);
+      m_values[i] = rounded(values[i]);
+      m_tangents[i] = rounded(tangents[i]);
+    }
+  }
+
+  void add_pieces() const
+  {
+    const std::vector<Exact_rational> breaks = m_patch->breaks(0);
+    for (std::size_t k = 1; k < breaks.size(); ++k) {
+      const Parameter_range range(breaks[k - 1], breaks[k]);
+      const Spline_patch<2> piece = m_patch->part(0, range);
+      Curve_tree_2& child = m_children.emplace_back(Curve_tree_2(piece, range));
+      for (std::size_t i = 0; i < 2; ++i)
+        child.m_numerators[i] = Bernstein_row(piece.numerators()[i]);
+      if (piece.is_rational())
+        child.m_weight = Bernstein_row(piece.weight());
+    }
+  }
+
+  void add_halves() const
+  {
+    Curve_tree_2 first(*this), second(*this);
+    first.m_range.second = second.m_range.first = m_middle;
+    for (std::size_t i = 0; i < 2; ++i)
+      second.m_numerators[i] = first.m_numerators[i].split();
+    if (m_weight)
+      second.m_weight = first.m_weight->split();
+    first.halve();
+    second.halve();
+    m_children.push_back(std::move(first));
+    m_children.push_back(std::move(second));
+  }
+
+  // The bounds of a half of what they were for; they remain where the weights do not show that they are positive.
+  void halve()
+  {
+    m_middle = middle_of(m_range);
+    m_width = 0.5 * m_width;
+    ++m_level;
+    const Double_interval one(1), weight = m_weight ? m_weight->bounds() : one, weight_slope = m_weight ? m_weight->derivative_bounds() : Double_interval(0);
+    if (weight.inf() <= 0) {
+      m_middle_point = m_values;
+      return;
+    }
+    const Double_interval middle_weight = m_weight ? Bernstein_row(*m_weight).split().front() : one;
+    for (std::size_t i = 0; i < 2; ++i) {
+      m_values[i] = m_numerators[i].bounds() / weight;
+      m_tangents[i] = (m_numerators[i].derivative_bounds() - m_values[i] * weight_slope) / weight / m_width;
+      m_middle_point[i] = Bernstein_row(m_numerators[i]).split().front() / middle_weight;
+    }
+  }
+};
+
+// Whether sqrt(upper) - sqrt(lower), which is at most (upper - lower) / sqrt(upper), is proved to be at most a tolerance.
+inline bool roots_are_within(double lower, double upper, double tolerance)
+{
+  if (upper <= lower)
+    return true;
+  const Double_interval difference = Double_interval(upper) - Double_interval(lower);
+  return square(difference).sup() <= (square(Double_interval(tolerance)) * Double_interval(upper)).inf();
+}
+
+// A point of a curve that is about as near as any to some point: the middle of a part. And a lower bound of the squared distance of that one from the curve.
+struct Nearest_point
+{
+  double lower;
+  const Curve_tree_2* node;
+};
+
+// By branch and bound, until the distance is known up to a tolerance, or the part that may be nearest is tiny.
+inline Nearest_point nearest_point(const Curve_tree_2& curve, const Double_intervals_2& point, double tolerance)
+{
+  struct Task
+  {
+    const Curve_tree_2* node;
+    double lower;
+  };
+  const auto is_farther = [](const Task& p, const Task& q) { return p.lower > q.lower; };
+  std::vector<Task> tasks;
+  const Curve_tree_2* nearest = &curve;
+  double upper = squared_norm(difference(curve.middle_point(), point)).sup();
+  const auto push = [&](const Curve_tree_2& node) {
+    if (const double at_middle = squared_norm(difference(node.middle_point(), point)).sup(); at_middle < upper) {
+      upper = at_middle;
+      nearest = &node;
+    }
+    tasks.push_back({&node, node.squared_distance_bounds(point).inf()});
+    std::push_heap(tasks.begin(), tasks.end(), is_farther);
+  };
+  push(curve);
+  while (!roots_are_within(tasks.front().lower, upper, tolerance) && !tasks.front().node->is_tiny()) {
+    std::pop_heap(tasks.begin(), tasks.end(), is_farther);
+    const Curve_tree_2* node = tasks.back().node;
+    tasks.pop_back();
+    for (const Curve_tree_2& child : node->children())
+      push(child);
+  }
+  return {(std::min)(tasks.front().lower, upper), nearest};
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_PATCH_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_PATCH_H
+
+#include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/function/weight_sign.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Rational_interval.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Parameter_range = std::pair<Exact_rational, Exact_rational>;
+using Exact_function = Bspline_function<Exact_rational>;
+
+template <int d>
+using Vector_of_functions = std::array<Exact_function, d>;
+
+inline Exact_rational middle_of(const Parameter_range& range) { return Exact_rational((range.first + range.second) / 2); }
+
+// With the parameter of an axis in a range. Where that is one number, without this axis.
+inline Exact_function part_of(const Exact_function& f, int axis, const Parameter_range& range)
+{
+  if (range.first < range.second)
+    return range == f.domain(axis) ? f : f.restricted(axis, range.first, range.second);
+  const Exact_rational begin = f.domain(axis).first;
+  return range.first == begin ? f.face(axis, 0) : f.restricted(axis, begin, range.first).face(axis, 1);
+}
+
+template <int d>
+Vector_of_functions<d> part_of(Vector_of_functions<d> functions, int axis, const Parameter_range& range)
+{
+  for (Exact_function& f : functions)
+    f = part_of(f, axis, range);
+  return functions;
+}
+
+/*
+A point, curve or surface, or a part of one: a rational map x/w of none, one or two parameters, with w > 0. All answers are exact.
+*/
+template <int d>
+class Spline_patch
+{
+  Vector_of_functions<d> m_numerators;
+  Exact_function m_weight;
+  bool m_is_rational = false;
+
+public:
+  explicit Spline_patch(const std::array<Exact_rational, d>& point) : m_weight(constant(1))
+  {
+    for (int i = 0; i < d; ++i)
+      m_numerators[i] = constant(point[i]);
+  }
+
+  //! \throws Invalid_input when the weight is not proved to have one sign.
+  template <ParametricMap Map>
+  explicit Spline_patch(const Map& map) : m_numerators(map.homogeneous_coordinates()), m_weight(map.weight()), m_is_rational(map.is_rational())
+  {
+    if (!m_is_rational || certified_weight_sign(m_weight, {}) > 0)
+      return;
+    m_weight = -m_weight;
+    for (Exact_function& numerator : m_numerators)
+      numerator = -numerator;
+  }
+
+  const Vector_of_functions<d>& numerators() const { return m_numerators; }
+  const Exact_function& weight() const { return m_weight; }
+  bool is_rational() const { return m_is_rational; }
+  int number_of_parameters() const { return m_weight.dimension(); }
+  Parameter_range domain(int axis) const { return m_weight.domain(axis); }
+
+  std::vector<Exact_rational> breaks(int axis) const
+  {
+    std::vector<Exact_rational> result = m_weight.breaks(axis);
+    for (const Exact_function& numerator : m_numerators)
+      result = united(result, numerator.breaks(axis));
+    return result;
+  }
+
+  // With the parameter of an axis in a range. Where that is one number, without this axis.
+  Spline_patch part(int axis, const Parameter_range& range) const
+  {
+    Spline_patch result(*this);
+    result.m_numerators = part_of<d>(m_numerators, axis, range);
+    result.m_weight = part_of(m_weight, axis, range);
+    return result;
+  }
+
+  Spline_patch part(const std::vector<Parameter_range>& ranges) const
+  {
+    Spline_patch result(*this);
+    for (int axis = number_of_parameters(); axis-- > 0;)
+      result = result.part(axis, ranges[axis]);
+    return result;
+  }
+
+  std::array<Exact_rational, d> operator()(std::span<const Exact_rational> parameters) const
+  {
+    const Exact_rational w = m_weight(parameters);
+    std::array<Exact_rational, d> result;
+    for (int i = 0; i < d; ++i)
+      result[i] = Exact_rational(m_numerators[i](parameters) / w);
+    return result;
+  }
+
+  std::vector<Exact_rational> middle() const
+  {
+    std::vector<Exact_rational> result;
+    for (int axis = 0; axis < number_of_parameters(); ++axis)
+      result.push_back(middle_of(domain(axis)));
+    return result;
+  }
+
+  // The two parts on both sides of the middle of an axis.
+  std::array<Spline_patch, 2> halves(int axis) const
+  {
+    const auto [begin, end] = domain(axis);
+    const Exact_rational middle = middle_of({begin, end});
+    return {part(axis, {begin, middle}), part(axis, {middle, end})};
+  }
+
+  // A positive multiple of the derivative by a parameter at an end (0 or 1) of a range between two neighbouring breaks, as functions of the other parameter.
+  Vector_of_functions<d> one_sided_tangent(int axis, const Parameter_range& cell, int side) const
+  {
+    const auto value = [&](const Exact_function& f) { return part_of(f, axis, cell).face(axis, side); };
+    const auto slope = [&](const Exact_function& f) { return part_of(f, axis, cell).restricted(axis, cell.first, cell.second).derivative(axis).face(axis, side); };
+    const Exact_function w = value(m_weight), w_slope = slope(m_weight);
+    Vector_of_functions<d> result;
+    for (int i = 0; i < d; ++i)
+      result[i] = slope(m_numerators[i]) * w - value(m_numerators[i]) * w_slope;
+    return result;
+  }
+
+  bool is_closed(int axis) const
+  {
+    const Exact_function w[] = {m_weight.face(axis, 0), m_weight.face(axis, 1)};
+    return std::all_of(m_numerators.begin(), m_numerators.end(), [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
+  }
+
+  // Bounds of the points.
+  Vector_bounds<d> values() const
+  {
+    return over_parts([](const Spline_patch& part) {
+      const Rational_interval w(part.m_weight.bounds());
+      Vector_bounds<d> result;
+      for (int i = 0; i < d; ++i)
+        result[i] = Rational_interval(part.m_numerators[i].bounds()) / w;
+      return result;
+    });
+  }
+
+  // Bounds of the derivative by a parameter, kinks included: (x' - (x/w) w') / w.
+  Vector_bounds<d> tangents(int axis) const
+  {
+    return over_parts([axis](const Spline_patch& part) {
+      const Rational_interval w(part.m_weight.bounds()), slope(part.m_weight.derivative_bounds(axis));
+      Vector_bounds<d> result;
+      for (int i = 0; i < d; ++i)
+        result[i] = (Rational_interval(part.m_numerators[i].derivative_bounds(axis)) - Rational_interval(part.m_numerators[i].bounds()) / w * slope) / w;
+      return result;
+    });
+  }
+
+private:
+  static Exact_function constant(const Exact_rational& value) { return Exact_function() + value; }
+
+  // The control points of the weight are positive on parts that are small enough.
+  template <class Bounds>
+  Vector_bounds<d> over_parts(const Bounds& bounds) const
+  {
+    if (m_weight.bounds().first > 0)
+      return bounds(*this);
+    int widest = 0;
+    for (int axis = 1; axis < number_of_parameters(); ++axis)
+      if (domain(widest).second - domain(widest).first < domain(axis).second - domain(axis).first)
+        widest = axis;
+    const std::array<Spline_patch, 2> both = halves(widest);
+    Vector_bounds<d> result = both[0].over_parts(bounds);
+    const Vector_bounds<d> other = both[1].over_parts(bounds);
+    for (int i = 0; i < d; ++i)
+      result[i] = hull(result[i], other[i]);
+    return result;
+  }
+};
+
+template <int d>
+Exact_rational squared_distance_of(const std::array<Exact_rational, d>& a, const std::array<Exact_rational, d>& b)
+{
+  Exact_rational result(0);
+  for (int i = 0; i < d; ++i) {
+    const Exact_rational difference(a[i] - b[i]);
+    result += Exact_rational(difference * difference);
+  }
+  return result;
+}
+
+// Bounds of the squared distances between the points of two patches; where its derivatives are small, their error is that times the width, by the mean value theorem.
+template <int d>
+Rational_interval squared_distance_bounds(const Spline_patch<d>& a, const Spline_patch<d>& b)
+{
+  const Vector_bounds<d> offset = a.values() - b.values();
+  Rational_interval by_slopes(squared_distance_of<d>(a(a.middle()), b(b.middle())));
+  for (const Spline_patch<d>* patch : {&a, &b})
+    for (int axis = 0; axis < patch->number_of_parameters(); ++axis) {
+      const auto [begin, end] = patch->domain(axis);
+      const Exact_rational width(end - begin);   // twice the distance from the middle, and the derivative is twice the inner product
+      by_slopes = by_slopes + dot(offset, patch->tangents(axis)) * Rational_interval(Exact_rational(-width), width);
+    }
+  return intersection(squared_norm(offset), by_slopes);
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_PATCH_H

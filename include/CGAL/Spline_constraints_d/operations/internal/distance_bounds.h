@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_BOUNDS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_BOUNDS_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The closest doubles below and above the roots of the ends of a range; \pre they are not negative.
+inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
+{
+  const auto square = [](double x) { return Exact_rational(to_rational(x) * to_rational(x)); };
+  double lower = std::sqrt(to_nearest_double(squares.first)), upper = std::sqrt(to_nearest_double(squares.second));
+  while (lower > 0 && square(lower) > squares.first)
+    lower = std::nextafter(lower, 0.0);
+  while (square(upper) < squares.second)
+    upper = std::nextafter(upper, std::numeric_limits<double>::infinity());
+  return {lower, upper};
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_BOUNDS_H
