@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Intersections of planar curves against exact answers.
+// Intersections of curves in the plane and in space against exact answers.
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
 #include <vector>
@@ -146,6 +147,69 @@ TEST(Curve_intersections, Tangents)
   EXPECT_TRUE(above.is_complete() && above.count(Intersection_kind::TRANSVERSAL) == 2 && above.size() == 2);
   const auto below = SC::intersections(parabola, SC::segment_curve(Doubles::Point_2(-1.5, -1e-10), Doubles::Point_2(1.25, -1e-10)));
   EXPECT_TRUE(below.is_complete() && below.empty());
+}
+
+// y = x^2 and y = x^4 / 4 + 1 touch where x^2 = 2.
+TEST(Curve_intersections, TangentsAtIrrationalParameters)
+{
+  using K = Epeck;
+  const auto parabola = SC::bezier_curve(std::vector<K::Point_2>{{-2, 4}, {0, -4}, {2, 4}});
+  const auto quartic = SC::bezier_curve(std::vector<K::Point_2>{{-2, 5}, {-1, -3}, {0, 5}, {1, -3}, {2, 5}});
+  const auto touching = SC::intersections(parabola, quartic);
+  EXPECT_TRUE(touching.is_complete());
+  EXPECT_EQ(points_of(touching, Intersection_kind::TANGENT), (Pairs{{-1.414213562, 2}, {1.414213562, 2}}));
+  EXPECT_EQ(touching.size(), 2u);
+  for (const auto& x : touching)
+    EXPECT_EQ(x.multiplicity(), 2);
+  const K::FT gap = K::FT(1e-50) * K::FT(1e-50);
+  const auto apart = SC::intersections(parabola, quartic.transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, K::Vector_2(0, gap))));
+  EXPECT_TRUE(apart.is_complete() && apart.empty());
+  const auto crossing = SC::intersections(parabola, quartic.transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, K::Vector_2(0, -gap))));
+  EXPECT_TRUE(crossing.is_complete() && crossing.count(Intersection_kind::TRANSVERSAL) == 4 && crossing.size() == 4);
+}
+
+// Curves on the surface z = x^2 + y, which cross where x^2 = 3/2; then moved, so that no coordinate is simple.
+TEST(Curve_intersections, InSpace)
+{
+  using K = Epeck;
+  const CGAL::Aff_transformation_3<K> map(3, -1, 2, 7, 1, 4, K::FT(1) / 3, 5, -2, 1, 1, 6);
+  const auto first = SC::bezier_curve(std::vector<K::Point_3>{{-2, 3, 7}, {0, -5, -9}, {2, 3, 7}});
+  const auto second = SC::bezier_curve(std::vector<K::Point_3>{{-2, -2, 2}, {0, 6, 2}, {2, -2, 2}});
+  for (const bool is_moved : {false, true}) {
+    const auto a = is_moved ? first.transformed(map) : first, b = is_moved ? second.transformed(map) : second;
+    const auto crossings = SC::intersections(a, b);
+    EXPECT_TRUE(crossings.is_complete());
+    ASSERT_EQ(crossings.count(Intersection_kind::TRANSVERSAL), 2u);
+    EXPECT_EQ(crossings.size(), 2u);
+    for (const auto& x : crossings)
+      EXPECT_NEAR(std::abs(4 * x.parameter(0) - 2), std::sqrt(1.5), 1e-12);
+    const auto near_miss = SC::intersections(a, b.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, K::Vector_3(0, 0, 1e-60))));
+    EXPECT_TRUE(near_miss.is_complete() && near_miss.empty());
+  }
+  const auto overlap = SC::intersections(first.transformed(map).restricted(0, K::FT(1) / 2), first.transformed(map).restricted(K::FT(1) / 3, 1));
+  EXPECT_TRUE(overlap.is_complete());
+  ASSERT_EQ(overlap.size(), 1u);
+  EXPECT_EQ(overlap[0].kind(), Intersection_kind::OVERLAP);
+  EXPECT_EQ(overlap[0].parameter_range(0), (std::pair(Exact_rational(1) / 3, Exact_rational(1) / 2)));
+}
+
+// Segments from a common corner, and skew ones.
+TEST(Curve_intersections, SegmentsInSpace)
+{
+  using K = Epeck;
+  const K::Point_3 corner(1, 2, 3);
+  const auto shared = SC::intersections(SC::segment_curve(corner, K::Point_3(4, 5, 7)), SC::segment_curve(K::Point_3(-2, 3, 1), corner));
+  EXPECT_TRUE(shared.is_complete());
+  ASSERT_EQ(shared.size(), 1u);
+  EXPECT_EQ(shared[0].kind(), Intersection_kind::END_POINT);
+  EXPECT_TRUE(shared[0].is_at_end(0) && shared[0].is_at_end(1));
+  EXPECT_EQ(shared[0].point(), corner);
+  const auto skew = SC::intersections(SC::segment_curve(K::Point_3(0, 0, 0), K::Point_3(2, 2, 0)), SC::segment_curve(K::Point_3(2, 0, 1), K::Point_3(0, 2, 1)));
+  EXPECT_TRUE(skew.is_complete() && skew.empty());
+  const auto crossing = SC::intersections(SC::segment_curve(K::Point_3(0, 0, 1), K::Point_3(2, 2, 1)), SC::segment_curve(K::Point_3(2, 0, 1), K::Point_3(0, 2, 1)));   // in a plane z = 1
+  EXPECT_TRUE(crossing.is_complete());
+  ASSERT_EQ(crossing.size(), 1u);
+  EXPECT_EQ(crossing[0].point(), K::Point_3(1, 1, 1));
 }
 
 // Curves and their transposes: 4, 9 and 81 points.

@@ -115,7 +115,7 @@ inline Double_root_search search_double_root(const Constraint_system_d& system, 
     if (!result.root)
       continue;
     const double share = 0.99 * (1 - result.root->contraction()) / (1 + result.root->contraction());
-    if (share < 0.25 || !contains(surrounding(centre, radii, 0.001), result.root->box()))
+    if (share < 0.25 || !result.root->refine(result.root->bits_of_width() + 64) || !contains(surrounding(centre, radii, 0.001), result.root->box()))
       result.root.reset();
     else
       result.region = surrounding(centre, radii, share);
@@ -167,15 +167,17 @@ inline std::vector<Algebraic_root> close_roots(const Constraint_system_d& system
     longest = (std::max)(longest, Exact_rational(CGAL::abs(step[j]) / width_of_domain(system, j)));
   }
   for (std::size_t j = 0; j < n; ++j)
-    radii.push_back(round_to_dyadic(Exact_rational(longest * width_of_domain(system, j) / Exact_rational(64)), 8));
+    radii.push_back(round_to_dyadic(Exact_rational(longest * width_of_domain(system, j)), 8));
   std::vector<Algebraic_root> result;
   for (const int side : {-1, 1}) {
     std::vector<Exact_rational> start;
     for (std::size_t j = 0; j < n; ++j)
       start.push_back(Exact_rational(z[j] + Exact_rational(side) * step[j]));
     const std::vector<Exact_rational> guess = Algebraic_root::guess(equations, start, static_cast<int>(2 * bits));
-    auto root = guess.empty() ? std::nullopt : Algebraic_root::in(equations, surrounding(guess, radii, 1));
-    if (!root || !contains(search.region, root->box()) || !contains(surrounding(start, radii, 16), root->box()))
+    std::optional<Algebraic_root> root;
+    for (double share = 0x1p-6; share >= 0x1p-24 && !root && !guess.empty(); share /= 64)
+      root = Algebraic_root::in(equations, surrounding(guess, radii, share));
+    if (!root || !contains(search.region, root->box()) || !contains(surrounding(start, radii, 0.25), root->box()))
       return {};
     result.push_back(std::move(*root));
   }
