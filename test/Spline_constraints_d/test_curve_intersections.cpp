@@ -190,7 +190,7 @@ TEST(Curve_intersections, InSpace)
   EXPECT_TRUE(overlap.is_complete());
   ASSERT_EQ(overlap.size(), 1u);
   EXPECT_EQ(overlap[0].kind(), Intersection_kind::OVERLAP);
-  EXPECT_EQ(overlap[0].parameter_range(0), (std::pair(Exact_rational(1) / 3, Exact_rational(1) / 2)));
+  EXPECT_EQ(overlap[0].parameter_range(0), (std::pair<Exact_rational, Exact_rational>(Exact_rational(1) / 3, Exact_rational(1) / 2)));
 }
 
 // Segments from a common corner, and skew ones.

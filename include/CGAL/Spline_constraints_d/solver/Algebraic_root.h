@@ -123,8 +123,8 @@ class Algebraic_root
 {
   using Number = Mpfr_interval;
 
-  // Beyond this a sign takes many seconds.
-  static constexpr double m_most_bits = 1 << 18;
+  // Beyond this a sign takes many seconds. Where zero would take more, a few bits are tried for another sign.
+  static constexpr double m_most_bits = 1 << 18, m_few_bits = 1 << 11;
 
   Algebraic_equations m_equations;
   std::vector<Number> m_box;
@@ -150,13 +150,14 @@ public:
     if (!image)
       return std::nullopt;
     for (std::size_t j = 0; j < box.size(); ++j)
-      if (mpfr_cmp((*image)[j].lower_mpfr(), root.m_box[j].lower_mpfr()) <= 0 || mpfr_cmp((*image)[j].upper_mpfr(), root.m_box[j].upper_mpfr()) >= 0)
+      if (image->box[j].lower() <= box[j].first || box[j].second <= image->box[j].upper())
         return std::nullopt;
     const auto orientation = Algebraic_equations::determinant(root.m_equations(root.m_box).jacobian, box.size()).sign();
     if (!orientation.is_certain())
       return std::nullopt;
     root.m_orientation = orientation.make_certain();
-    root.m_box = *image;
+    root.m_box = image->box;
+    root.m_contraction = image->contraction;
     root.m_region = box;
     return root;
   }
@@ -198,35 +199,48 @@ public:
     return result;
   }
 
-  // It is not wider than 2^-bits.
+  // It is not wider than 2^-bits; `bits_of_point` when it is one point.
+  static constexpr long bits_of_point = 1L << 20;
+
   long bits_of_width() const
   {
-    double result = HUGE_VAL;
-    for (const Number& x : m_box) {
-      Number width = x;
-      width -= x;
-      result = (std::min)(result, bits_of_size(width));
-    }
-    return static_cast<long>((std::min)(result, 0x1p60));
+    double result = bits_of_point;
+    for (const Number& x : m_box)
+      result = (std::min)(result, bits_of_size(x - x));
+    return static_cast<long>(result);
+  }
+
+  // Every number in x has at least so many zeros behind the binary point.
+  static double bits_of_size(const Number& x)
+  {
+    const auto of_end = [](mpfr_srcptr end) { return mpfr_zero_p(end) ? HUGE_VAL : mpfr_number_p(end) ? -static_cast<double>(mpfr_get_exp(end)) : -HUGE_VAL; };
+    return (std::min)(of_end(x.lower_mpfr()), of_end(x.upper_mpfr()));
   }
 
   // Until the box is not wider than 2^-bits. False when rounding does not let it become so narrow.
   bool refine(long bits)
   {
-    for (long reached = bits_of_width(); reached < bits;) {
+    for (long reached = bits_of_width(); reached < (std::min)(bits, bits_of_point);) {
       const long precision = (std::min)(2 * (std::max)(reached, 32L), bits) + 96;
       const Mpfr_precision_scope scope(precision);
       const auto image = krawczyk_image(precision);
       if (!image)
         return false;
       for (std::size_t j = 0; j < m_box.size(); ++j)
-        m_box[j] = intersection(m_box[j], (*image)[j]);
+        m_box[j] = intersection(m_box[j], image->box[j]);
       const long next = bits_of_width();
       if (next < reached + 4)
         return false;
       reached = next;
     }
     return true;
+  }
+
+  // The range of a polynomial on the enclosure.
+  Number value_of(const Power_polynomial& polynomial) const
+  {
+    const Mpfr_precision_scope scope(m_box.front().precision() + 384);
+    return Polynomial_jets(std::span<const Power_polynomial>(&polynomial, 1), m_box, 0).value(0);
   }
 
   // Of a polynomial at the root; nothing when that would take too many bits.
@@ -239,10 +253,11 @@ public:
       return std::nullopt;
     const double bound = zero_bound_bits(m_equations.dimension(), larger(m_equations.size(), size_of(*scaled)));
     const double last = bound + size_of(*scaled).bits + 64;   // the value is about as small as the box is narrow
-    for (double bits = 256; bits <= m_most_bits; bits = (std::min)(2 * bits, last)) {
+    const double most = last <= m_most_bits ? last : m_few_bits;
+    for (double bits = 256; bits <= most; bits = (std::min)(2 * bits, last)) {
       if (!refine(static_cast<long>(bits)))
         return std::nullopt;
-      const Number value = value_at_root(*scaled, static_cast<long>(bits));
+      const Number value = value_of(*scaled);
       if (const auto sign = value.sign(); sign.is_certain())
         return sign.make_certain();
       if (bits_of_size(value) > bound)
@@ -278,19 +293,6 @@ public:
   }
 
 private:
-  Number value_at_root(const Power_polynomial& polynomial, long bits) const
-  {
-    const Mpfr_precision_scope scope(bits + 128);
-    return Polynomial_jets(std::span<const Power_polynomial>(&polynomial, 1), m_box, 0).value(0);
-  }
-
-  // Every number in x has at least so many zeros behind the binary point.
-  static double bits_of_size(const Number& x)
-  {
-    const auto of_end = [](mpfr_srcptr end) { return mpfr_zero_p(end) ? HUGE_VAL : mpfr_number_p(end) ? -static_cast<double>(mpfr_get_exp(end)) : -HUGE_VAL; };
-    return (std::min)(of_end(x.lower_mpfr()), of_end(x.upper_mpfr()));
-  }
-
   static Number intersection(const Number& a, const Number& b)
   {
     const Exact_rational lower = (std::max)(a.lower(), b.lower()), upper = (std::min)(a.upper(), b.upper());
@@ -300,7 +302,13 @@ private:
   /*
   c - C f(c) + (I - C J(X)) (X - c), with the middle c of the box X. All roots in X lie in it; if it lies in the interior of X, there is exactly one (Krawczyk 1969).
   */
-  std::optional<std::vector<Number>> krawczyk_image(long precision)
+  struct Image
+  {
+    std::vector<Number> box;
+    double contraction = 0;   // the largest sum of a row of |I - C J|, with the radii of X as weights
+  };
+
+  std::optional<Image> krawczyk_image(long precision) const
   {
     const std::size_t n = m_box.size();
     std::vector<Number> centre, offset;
@@ -312,8 +320,7 @@ private:
     const std::vector<Number> inverse = inverse_of_middle(on_box.jacobian, n);
     if (inverse.empty())
       return std::nullopt;
-    std::vector<Number> image;
-    m_contraction = 0;
+    Image image;
     for (std::size_t i = 0; i < n; ++i) {
       Number sum = centre[i];
       double row = 0;
@@ -329,8 +336,8 @@ private:
       }
       if (!sum.is_bounded())
         return std::nullopt;
-      m_contraction = (std::max)(m_contraction, row);
-      image.push_back(std::move(sum));
+      image.contraction = (std::max)(image.contraction, row);
+      image.box.push_back(std::move(sum));
     }
     return image;
   }

@@ -148,9 +148,11 @@ about; there Newton's method begins.
 inline std::vector<Algebraic_root> close_roots(const Constraint_system_d& system, Double_root_search& search)
 {
   const std::size_t n = search.equalities.size();
-  const long bits = 2 * search.root->bits_of_width() + 256;
+  const Power_polynomial& last = search.equalities.back();
+  const double size = (std::max)(Algebraic_root::bits_of_size(search.root->value_of(last)), 0.0) + size_of(last).bits;   // of the last equality beside its coefficients
+  const int bits = 4 * static_cast<int>(size) + 512;
   search.root->refine(bits);
-  const Mpfr_precision_scope scope(2 * bits);
+  const Mpfr_precision_scope scope(bits);
   const std::vector<Exact_rational> z = middle_of(search.root->box());
   const std::vector<Mpfr_interval> at_z(z.begin(), z.end());
   const Algebraic_equations equations(search.equalities, false);
@@ -173,7 +175,7 @@ inline std::vector<Algebraic_root> close_roots(const Constraint_system_d& system
     std::vector<Exact_rational> start;
     for (std::size_t j = 0; j < n; ++j)
       start.push_back(Exact_rational(z[j] + Exact_rational(side) * step[j]));
-    const std::vector<Exact_rational> guess = Algebraic_root::guess(equations, start, static_cast<int>(2 * bits));
+    const std::vector<Exact_rational> guess = Algebraic_root::guess(equations, start, bits);
     std::optional<Algebraic_root> root;
     for (double share = 0x1p-6; share >= 0x1p-24 && !root && !guess.empty(); share /= 64)
       root = Algebraic_root::in(equations, surrounding(guess, radii, share));

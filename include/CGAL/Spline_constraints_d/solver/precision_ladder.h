@@ -100,7 +100,7 @@ private:
     const Position position = algebraic_position(m_system, root);
     if (position == Position::OUTSIDE)
       return;
-    const int bits = static_cast<int>((std::max)(root.bits_of_width(), 128L));
+    const int bits = root.bits_of_width() < Algebraic_root::bits_of_point ? static_cast<int>((std::max)(root.bits_of_width(), 128L)) : 128;
     root.refine(bits);
     const Undecided_reason reason = reason_of(position);
     const Solution_kind kind = reason != Undecided_reason::NONE ? Solution_kind::UNDECIDED : is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;
