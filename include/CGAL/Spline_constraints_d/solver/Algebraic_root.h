@@ -123,8 +123,8 @@ class Algebraic_root
 {
   using Number = Mpfr_interval;
 
-  // Beyond this a sign takes many seconds. Where zero would take more, a few bits are tried for another sign.
-  static constexpr double m_most_bits = 1 << 18, m_few_bits = 1 << 11;
+  // Beyond this a sign takes seconds. Where zero would take more, a few bits are tried for another sign.
+  static constexpr double m_most_bits = 1 << 16, m_few_bits = 1 << 11;
 
   Algebraic_equations m_equations;
   std::vector<Number> m_box;

@@ -80,6 +80,7 @@ public:
     for (const auto& [a, b] : pairs_of_sites())
       if (!is_too_far(squared_norm(a->bounds() - b->bounds())))
         find_critical_distances(*a, *b);
+    find_crossing();
     std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); });
     std::erase_if(m_found, [&](Found& x) { return x.distance.kind != Solution_kind::CERTIFIED && is_too_far(refined(x)); });
     return sorted();
@@ -341,13 +342,40 @@ private:
     if (!is_regular || solution.box().size() > d)
       return false;
     const Box region = solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region();
-    const std::vector<Unknown> u = unknowns_in(clipped(region, domain_of(a, b)));
+    return common_points(a, b, clipped(region, domain_of(a, b))).count(Solution_kind::CERTIFIED) > 0;
+  }
+
+  // With as many parameters as coordinates.
+  Solution_set_d<double> common_points(const Site& a, const Site& b, const Box& box) const
+  {
+    const std::vector<Unknown> u = unknowns_in(box);
     const std::span<const Unknown> all(u);
     const Vector_expression<d> difference = a.point(all.first(a.free_axes().size())) - b.point(all.subspan(a.free_axes().size()));
     std::vector<Constraint> constraints;
     for (int i = 0; i < d; ++i)
       constraints.push_back(difference[i] == 0);
-    return m_solver(make_system(constraints)).count(Solution_kind::CERTIFIED) > 0;
+    return m_solver(make_system(constraints));
+  }
+
+  // Where an edge crosses the other operand, the distance is critical in all directions: that is a candidate of the sites beside, which may be undecided. One crossing is
+  // enough to know that the least distance is zero.
+  void find_crossing()
+  {
+    const bool may_be_zero = m_upper > 0 && std::any_of(m_found.begin(), m_found.end(), [](const Found& x) { return x.distance.squared_distance.lower == 0; });
+    for (const auto& [a, b] : pairs_of_sites()) {
+      if (!may_be_zero || a->free_axes().size() + b->free_axes().size() != d || squared_norm(a->bounds() - b->bounds()).lower > 0)
+        continue;
+      const Solution_set_d<double> solutions = common_points(*a, *b, domain_of(*a, *b));
+      add_work(solutions.summary());
+      if (solutions.count(Solution_kind::CERTIFIED) == 0)
+        continue;
+      const Box box = clipped(solutions[0].exact_box(), domain_of(*a, *b));
+      add(*a, *b, Solution_kind::CERTIFIED, box, sample_of(solutions[0], box), solutions[0]);
+      m_found.back().boxes = {box};
+      m_found.back().distance.squared_distance = Rational_interval(Exact_rational(0));
+      m_upper = Exact_rational(0);
+      return;
+    }
   }
 };
 

@@ -53,13 +53,13 @@ inline std::optional<Power_polynomial> with_integer_coefficients(const Power_pol
 A polynomial with integer coefficients that is not zero at an isolated point of the real zeros of others is larger than 2^-bits there:
   |g| >= (2^(4 - n/2) H d^n)^(-n 2^n d^n),   H >= 2 n + 2 m,
 for m polynomials in n >= 2 unknowns, all of at most the even degree d and with coefficients up to H (Jeronimo, Perrucci, Tsigaridas, On the minimum of a polynomial function on a basic closed
-semialgebraic set and applications, SIAM J. Optim. 23, 2013, Theorem 1, for the component that is the point). Twice as many bits are asked for, to have room.
+semialgebraic set and applications, SIAM J. Optim. 23, 2013, Theorem 1, for the component that is the point).
 */
 inline double zero_bound_bits(std::size_t dimension, const Polynomial_size& size)
 {
   const double n = static_cast<double>((std::max)(dimension, std::size_t(2))), degree = 2 * std::ceil((std::max)(size.degree, 1) / 2.0);
   const double height = (std::max)(size.bits, std::log2(4 * n));
-  return 2 * n * std::exp2(n) * std::pow(degree, n) * ((std::max)(4 - n / 2, 0.0) + height + n * std::log2(degree));
+  return n * std::exp2(n) * std::pow(degree, n) * ((std::max)(4 - n / 2, 0.0) + height + n * std::log2(degree));
 }
 
 } // namespace internal
