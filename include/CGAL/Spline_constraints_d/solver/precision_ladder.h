@@ -62,9 +62,12 @@ public:
   // that is not regular, and not when the box is large or a limit was reached.
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
+    const Exact_box ranges = exact_box(box);
+    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), [&](const Double_root_search& known) { return known.covers(ranges); }))
+      return;
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
-    if (is_open && m_options.ladder_precision > 0 && report_double_root(box, solutions))
+    if (is_open && m_options.ladder_precision > 0 && report_double_root(ranges, solutions))
       return;
     if (is_regular || is_open)
       climb(box, answer, solutions);
@@ -73,15 +76,18 @@ public:
   }
 
 private:
-  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing, or what another box did.
-  bool report_double_root(const Open_box<double>& box, std::vector<Solution_d<double>>& solutions)
+  static Exact_box exact_box(const Open_box<double>& box)
   {
-    Exact_box ranges;
+    Exact_box result;
     for (std::size_t j = 0; j < box.lower.size(); ++j)
-      ranges.emplace_back(Exact_rational(box.lower[j]), Exact_rational(box.upper[j]));
-    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), [&](const Double_root_search& known) { return known.covers(ranges); }))
-      return true;
-    Double_root_search search = search_double_root(m_system, ranges);
+      result.emplace_back(Exact_rational(box.lower[j]), Exact_rational(box.upper[j]));
+    return result;
+  }
+
+  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing.
+  bool report_double_root(const Exact_box& box, std::vector<Solution_d<double>>& solutions)
+  {
+    Double_root_search search = search_double_root(m_system, box);
     std::vector<Algebraic_root> roots;
     if (search.outcome == Double_root_search::DOUBLE_ROOT)
       roots.push_back(*search.root);
@@ -89,10 +95,27 @@ private:
       roots = close_roots(m_system, search);
     if (roots.empty() && search.outcome != Double_root_search::NO_ROOT)
       return false;
+    const bool is_double = roots.size() == 1;
+    const auto is_in_region = [&](const Solution_d<double>& known) { return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box()); };
     for (Algebraic_root& root : roots)
-      report(root, roots.size() == 1, solutions);
+      if (is_double ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(root))
+        report(root, is_double, solutions);
     m_double_roots.push_back(std::move(search));
     return true;
+  }
+
+  bool is_known(const Algebraic_root& root) const
+  {
+    Found_root<Exact_rational> found;
+    for (const auto& [lower, upper] : root.region()) {
+      found.lower.push_back(lower);
+      found.upper.push_back(upper);
+    }
+    for (const auto& [lower, upper] : root.box()) {
+      found.enclosure.lower.push_back(lower);
+      found.enclosure.upper.push_back(upper);
+    }
+    return is_known(found);
   }
 
   void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
