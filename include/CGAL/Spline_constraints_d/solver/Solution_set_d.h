@@ -207,6 +207,22 @@ struct Summary
   double refinement_seconds = 0;     ///< of it: Newton refinement and position of the roots
   bool is_complete = true;           ///< every solution lies in a certified, cluster or continuum box
   Undecided_reason why_not = Undecided_reason::NONE;   ///< the first reason when it is not
+
+  //! adds the work of another run; complete if both are.
+  Summary& operator+=(const Summary& other)
+  {
+    nodes += other.nodes;
+    restarts += other.restarts;
+    depth = (std::max)(depth, other.depth);
+    seconds += other.seconds;
+    setup_seconds += other.setup_seconds;
+    rebuild_seconds += other.rebuild_seconds;
+    refinement_seconds += other.refinement_seconds;
+    if (is_complete)
+      why_not = other.why_not;
+    is_complete = is_complete && other.is_complete;
+    return *this;
+  }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Summary& s)

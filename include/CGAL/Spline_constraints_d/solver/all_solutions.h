@@ -277,11 +277,7 @@ private:
       options.node_limit = (std::max)(options.node_limit - (std::min)(m_summary.nodes, options.node_limit), std::size_t(1));
     Summary summary;
     auto result = all_solutions<Traits, Concurrency_tag>(part, options, m_control, summary);
-    m_summary.nodes += summary.nodes;
-    m_summary.restarts += summary.restarts;
-    m_summary.depth = (std::max)(m_summary.depth, summary.depth);
-    m_summary.rebuild_seconds += summary.rebuild_seconds;
-    m_summary.refinement_seconds += summary.refinement_seconds;
+    m_summary += summary;
     return result;
   }
 

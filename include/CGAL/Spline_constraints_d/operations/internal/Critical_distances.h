@@ -162,22 +162,9 @@ private:
       return;
     }
     const Solution_set_d<double> solutions = m_solver(make_system(constraints));
-    add_work(solutions.summary());
+    m_summary += solutions.summary();
     for (const Solution& solution : solutions)
       add_solution(a, b, constraints, solution);
-  }
-
-  void add_work(const Summary& summary)
-  {
-    m_summary.nodes += summary.nodes;
-    m_summary.restarts += summary.restarts;
-    m_summary.depth = (std::max)(m_summary.depth, summary.depth);
-    m_summary.seconds += summary.seconds;
-    m_summary.setup_seconds += summary.setup_seconds;
-    m_summary.rebuild_seconds += summary.rebuild_seconds;
-    m_summary.refinement_seconds += summary.refinement_seconds;
-    if (m_summary.why_not == Undecided_reason::NONE)
-      m_summary.why_not = summary.why_not;
   }
 
   void add_solution(const Site& a, const Site& b, const std::vector<Constraint>& constraints, const Solution& solution)
@@ -366,7 +353,7 @@ private:
       if (!may_be_zero || a->free_axes().size() + b->free_axes().size() != d || squared_norm(a->bounds() - b->bounds()).lower > 0)
         continue;
       const Solution_set_d<double> solutions = common_points(*a, *b, domain_of(*a, *b));
-      add_work(solutions.summary());
+      m_summary += solutions.summary();
       if (solutions.count(Solution_kind::CERTIFIED) == 0)
         continue;
       const Box box = clipped(solutions[0].exact_box(), domain_of(*a, *b));

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -25,27 +24,11 @@ public:
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
   {
     Solution_set_d<double> result = m_solver(make_system(constraints));
-    add(result.summary());
+    m_total += result.summary();
     return result;
   }
 
   const Summary& total() const { return m_total; }
-
-private:
-  void add(const Summary& s)
-  {
-    m_total.nodes += s.nodes;
-    m_total.restarts += s.restarts;
-    m_total.depth = (std::max)(m_total.depth, s.depth);
-    m_total.seconds += s.seconds;
-    m_total.setup_seconds += s.setup_seconds;
-    m_total.rebuild_seconds += s.rebuild_seconds;
-    m_total.refinement_seconds += s.refinement_seconds;
-    if (m_total.is_complete && !s.is_complete) {
-      m_total.is_complete = false;
-      m_total.why_not = s.why_not;
-    }
-  }
 };
 
 } // namespace internal
