@@ -22,8 +22,8 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDConstructions
 
 the faces of a mesh, in the order of `mesh.faces()`, each with its descriptor: a triangle as the conversion of `Triangle_3` has it, a face with four vertices
-\f$p_0, \dots, p_3\f$, planar or not, as the bilinear patch with \f$S(0,0) = p_0\f$, \f$S(1,0) = p_1\f$, \f$S(1,1) = p_2\f$, \f$S(0,1) = p_3\f$. Normals are on the side from which the mesh shows its vertices
-counterclockwise. Exact in every kernel.
+\f$p_0, \dots, p_3\f$, planar or not, as the bilinear patch with \f$S(0,0) = p_0\f$, \f$S(1,0) = p_1\f$, \f$S(1,1) = p_2\f$, \f$S(0,1) = p_3\f$. Normals are on the
+side from which the mesh shows its vertices counterclockwise. Exact in every kernel.
 \throws Invalid_input when a face has more than four vertices; the message names it.
 */
 template <SplineKernel Kernel>
