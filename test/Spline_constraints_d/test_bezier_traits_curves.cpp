@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "arrangement_test_tools.h"
 #include "geometry_test_tools.h"
 
 #include <CGAL/Spline_constraints_d/geometry/bezier_traits_curves.h>
@@ -9,15 +10,11 @@
 #include <CGAL/Arr_Bezier_curve_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>
 #include <CGAL/Cartesian.h>
-#include <CGAL/version.h>
-
-#include <boost/variant.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iterator>
-#include <variant>
 #include <vector>
 
 namespace {
@@ -28,21 +25,6 @@ using Nt_traits = CGAL::CORE_algebraic_number_traits;
 using Rat_kernel = CGAL::Cartesian<Nt_traits::Rational>;
 using Traits = CGAL::Arr_Bezier_curve_traits_2<Rat_kernel, CGAL::Cartesian<Nt_traits::Algebraic>, Nt_traits>;
 using Bezier_curve = Traits::Curve_2;
-
-#if CGAL_VERSION_NR < 1060000000
-template <class... Types>
-using Variant = boost::variant<Types...>;
-
-template <class Type, class... Types>
-const Type* get_if(const boost::variant<Types...>* part)
-{
-  return boost::get<Type>(part);
-}
-#else
-template <class... Types>
-using Variant = std::variant<Types...>;
-using std::get_if;
-#endif
 
 Bezier_curve bezier(const std::vector<Rat_kernel::Point_2>& points) { return {points.begin(), points.end()}; }
 

@@ -1,15 +1,20 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "arrangement_test_tools.h"
 #include "geometry_test_tools.h"
 
 #include <CGAL/Spline_constraints_d/geometry/conic_traits_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
 
 #include <CGAL/Arr_conic_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>
 #include <CGAL/Cartesian.h>
 
 #include <gtest/gtest.h>
+
+#include <iterator>
+#include <vector>
 
 namespace {
 
@@ -23,8 +28,8 @@ using Arc = Traits::Curve_2;
 using Point = Traits::Point_2;
 
 // It runs between these points, turning this way, on the conic.
-template <class Curve>
-void expect_arc(const Curve& curve, const R::Point_2& source, const R::Point_2& target, CGAL::Orientation orientation, const Arc& arc)
+template <class Curve, class Any_arc>
+void expect_arc(const Curve& curve, const R::Point_2& source, const R::Point_2& target, CGAL::Orientation orientation, const Any_arc& arc)
 {
   EXPECT_EQ(curve.source(), source);
   EXPECT_EQ(curve.target(), target);
@@ -52,6 +57,45 @@ TEST(Conic_traits_curves, arcs_of_ellipses_are_converted)
   expect_arc(SC::to_bspline_curve(through), {0, 5}, {5, 0}, CGAL::CLOCKWISE, through);
   const Arc irrational(1, 1, 0, 0, 0, -2, CGAL::COUNTERCLOCKWISE, Point(CGAL::sqrt(Algebraic(2)), 0), Point(0, CGAL::sqrt(Algebraic(2))));
   expect_invalid([&] { SC::to_bspline_curve(irrational); }, "no rational coordinates");
+}
+
+TEST(Conic_traits_curves, both_arcs_between_two_points_make_an_ellipse)
+{
+  // Points of x^2 + 4 y^2 = 25 with rational slopes from (-5, 0).
+  Random_source random(5);
+  const auto point = [&] {
+    const Rational t(random.integer(-20, 20), random.integer(1, 7)), norm = 1 + t * t;
+    return R::Point_2(5 * (1 - t * t) / norm, 5 * t / norm);
+  };
+  for (int i = 0; i < 20; ++i) {
+    const R::Point_2 p = point(), q = point();
+    if (p == q)
+      continue;
+    Exact_rational length(0);
+    for (const auto orientation : {CGAL::COUNTERCLOCKWISE, CGAL::CLOCKWISE}) {
+      const Arc arc(1, 4, 0, 0, 0, -25, orientation, Point(p.x(), p.y()), Point(q.x(), q.y()));
+      const auto curve = SC::to_bspline_curve(arc);
+      expect_arc(curve, p, q, orientation, arc);
+      const auto exact = SC::internal::exact_curve<2>(curve);
+      length += exact.domain().second - exact.domain().first;
+    }
+    EXPECT_EQ(length, 4);
+  }
+}
+
+TEST(Conic_traits_curves, x_monotone_arcs_are_converted)
+{
+  const Traits traits;
+  std::vector<Variant<Traits::Point_2, Traits::X_monotone_curve_2>> parts;
+  traits.make_x_monotone_2_object()(Arc(1, 4, 0, 0, 0, -25), std::back_inserter(parts));
+  EXPECT_EQ(parts.size(), 2u);
+  for (const auto& part : parts) {
+    const auto* arc = get_if<Traits::X_monotone_curve_2>(&part);
+    ASSERT_NE(arc, nullptr);
+    const auto curve = SC::to_bspline_curve(*arc);
+    const bool is_from_left = curve.source() == R::Point_2(-5, 0);
+    expect_arc(curve, {is_from_left ? -5 : 5, 0}, {is_from_left ? 5 : -5, 0}, arc->orientation(), *arc);
+  }
 }
 
 TEST(Conic_traits_curves, whole_ellipses_are_converted)

@@ -28,6 +28,16 @@ concept Conic_traits_arc = requires(const Arc& arc) {
   { arc.orientation() } -> std::convertible_to<CGAL::Orientation>;
 };
 
+// X_monotone_curve_2, which hides most of what it inherits from Curve_2.
+template <class Arc>
+concept Conic_traits_x_monotone_arc = !Conic_traits_arc<Arc> && requires(const Arc& arc) {
+  typename Arc::Conic_arc_2::Rat_kernel;
+  arc.r();
+  arc.w();
+  arc.is_directed_right();
+  { arc.orientation() } -> std::convertible_to<CGAL::Orientation>;
+};
+
 // r x^2 + s y^2 + t x y + u x + v y + w = 0, in the letters of CGAL.
 struct Conic_equation
 {
@@ -99,11 +109,19 @@ Exact_kernel::Point_2 rational_end(const Point& p)
   return {*x, *y};
 }
 
+template <class Arc>
+Bspline_curve_2<Exact_kernel> curve_between_ends(const Arc& arc)
+{
+  const auto source = rational_end(arc.source()), target = rational_end(arc.target());
+  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target) : arc_of_conic(Conic_equation(arc), source, target, arc.orientation());
+}
+
 } // namespace internal
 
-/*!
-\ingroup PkgSplineConstraintsDConstructions
+/// \addtogroup PkgSplineConstraintsDConstructions
+/// @{
 
+/*!
 a `Curve_2` of `CGAL::Arr_conic_traits_2`, from its source to its target, as a rational quadratic curve, or a segment, in the rational kernel of the traits class; a whole
 ellipse in its orientation from a rational point of it that is looked for in the directions of small integers from its center. Exact: the conic is projected from the source,
 as in `conic_curve()`. The domain is a part of \f$[0,4]\f$ for arcs of ellipses, otherwise a range of slopes.
@@ -121,11 +139,17 @@ Bspline_curve_2<typename Arc::Rat_kernel> to_bspline_curve(const Arc& arc)
     const auto ellipse = internal::ellipse_from(conic, internal::point_of_ellipse(conic));
     return Curve(internal::orientation_of_ellipse(ellipse) == arc.orientation() ? ellipse : ellipse.reversed());
   }
-  const auto source = internal::rational_end(arc.source()), target = internal::rational_end(arc.target());
-  if (arc.orientation() == CGAL::COLLINEAR)
-    return Curve(segment_curve(source, target));
-  return Curve(internal::arc_of_conic(internal::Conic_equation(arc), source, target, arc.orientation()));
+  return Curve(internal::curve_between_ends(arc));
 }
+
+//! the same of an `X_monotone_curve_2`. An end where the tangent is vertical is often not rational.
+template <internal::Conic_traits_x_monotone_arc Arc>
+Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel> to_bspline_curve(const Arc& arc)
+{
+  return Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel>(internal::curve_between_ends(arc));
+}
+
+/// @}
 
 } // namespace Spline_constraints
 } // namespace CGAL
