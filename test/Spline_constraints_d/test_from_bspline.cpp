@@ -17,7 +17,6 @@
 namespace {
 
 namespace SC = CGAL::Spline_constraints;
-using FT = Exact_rational;
 using K = CGAL::Epeck;
 using I = CGAL::Epick;
 
@@ -44,9 +43,10 @@ TEST(From_bspline, gives_segments_and_polygons_back)
   // A vertex at which nothing changes is none.
   const auto straight = SC::to_polyline(SC::polyline_curve<K>(std::vector<K::Point_2>{{0, 0}, {1, 1}, {2, 2}, {3, 0}}));
   EXPECT_EQ(straight, (std::vector<K::Point_2>{{0, 0}, {2, 2}, {3, 0}}));
-  // Ends of a part that doubles cannot hold.
-  const auto third = SC::Bspline_curve_2<Exact_cartesian>(curve).restricted(FT(1) / 3, 1);
-  EXPECT_TRUE(SC::to_segment(third));
+  // Its ends have the parameters 2 and 4: thirds, no doubles.
+  const SC::Bspline_curve_2<I> floating(2, {0, 1, 2, 4, 5, 6}, {{0, 0}, {0.5, 1}, {1, 2}});
+  EXPECT_FALSE(SC::to_segment(floating));
+  EXPECT_EQ(SC::to_segment(SC::Bspline_curve_2<K>(floating)), K::Segment_2(K::Point_2(K::FT(1) / 6, K::FT(1) / 3), K::Point_2(K::FT(5) / 6, K::FT(5) / 3)));
 }
 
 TEST(From_bspline, gives_circles_back)
@@ -64,6 +64,21 @@ TEST(From_bspline, gives_circles_back)
   EXPECT_TRUE(SC::to_circle(SC::circle_curve<I>(I::Point_2(1, 2), 3)));
   // Doubles that are not on a circle any more.
   EXPECT_FALSE(SC::to_circle(SC::circle_curve<I>(I::Point_2(0, 0), 1).restricted(0.1, 0.7)));
+}
+
+TEST(From_bspline, gives_random_polygonal_curves_back)
+{
+  Random_geometry random(11);
+  for (int i = 0; i < 20; ++i) {
+    const auto points = random.points<Exact_cartesian, 3>(static_cast<std::size_t>(random.integer(2, 6)));
+    const auto curve = SC::polyline_curve<Exact_cartesian>(points);
+    EXPECT_EQ(SC::to_polyline(curve.elevated(random.integer(1, 4)).with_domain(-1, 2)), points);
+    // With a control point moved it is none.
+    const auto elevated = curve.elevated(2);
+    auto moved = elevated.control_points();
+    moved[1] = moved[1] + Exact_cartesian::Vector_3(0, 0, 1);
+    EXPECT_FALSE(SC::to_polyline(SC::Bspline_curve_3<Exact_cartesian>(2, elevated.knots(), moved)));
+  }
 }
 
 TEST(From_bspline, gives_circles_in_space_back)
