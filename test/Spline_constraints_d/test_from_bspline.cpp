@@ -83,11 +83,15 @@ TEST(From_bspline, gives_random_polygonal_curves_back)
 
 TEST(From_bspline, gives_circles_in_space_back)
 {
-  const K::Circle_3 circle(K::Point_3(1, 2, 3), 6, K::Vector_3(1, 1, 1));
-  const auto curve = SC::to_bspline_curve(circle);
-  const auto back = SC::to_circle(curve);
+  using E = Exact_cartesian;
+  const E::Circle_3 circle(E::Point_3(1, 2, 3), 6, E::Vector_3(1, 1, 1));
+  const auto back = SC::to_circle(SC::to_bspline_curve(circle).elevated(3));
   ASSERT_TRUE(back);
   EXPECT_TRUE(*back == circle);
+  const auto lazy = SC::to_circle(SC::to_bspline_curve(K::Circle_3(K::Point_3(1, 2, 3), 6, K::Vector_3(1, 1, 1))));
+  ASSERT_TRUE(lazy);
+  EXPECT_EQ(lazy->center(), K::Point_3(1, 2, 3));
+  EXPECT_EQ(lazy->squared_radius(), 6);
   EXPECT_FALSE(SC::to_circle(SC::bezier_curve<K>(std::vector<K::Point_3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}})));
 }
 
