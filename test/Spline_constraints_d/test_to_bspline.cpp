@@ -9,12 +9,14 @@
 #include <CGAL/Exact_circular_kernel_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_spherical_kernel_3.h>
 
 #include <CGAL/Gmpq.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -148,6 +150,57 @@ TEST(To_bspline_curve, converts_arcs_of_circular_kernels)
   const auto upright = SC::to_bspline_curve(C::Circular_arc_2(circle, C::Line_2(1, 0, -4), true, C::Line_2(1, 0, -4), false));
   EXPECT_EQ(CGAL::midpoint(upright.source(), upright.target()), C::Point_2(4, 2));
   EXPECT_EQ(CGAL::squared_distance(upright.source(), upright.target()), 64);
+}
+
+TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
+{
+  const K::Point_3 center(1, 2, 3);
+  const E::Vector_3 diagonal(1, 1, 1), slanted(2, 3, 6), upright(0, 0, -5);
+  for (const auto& [normal, squared_radius] : std::vector<std::pair<E::Vector_3, int>>{
+         {diagonal, 6}, {diagonal, 8}, {diagonal, 26}, {slanted, 5}, {slanted, 8}, {slanted, 26}, {upright, 5}, {upright, 8}, {upright, 26}}) {
+    const E::Circle_3 circle(E::Point_3(1, 2, 3), squared_radius, normal);
+    const auto curve = SC::to_bspline_curve(circle);
+    EXPECT_TRUE(curve.is_closed());
+    for (const int tenths : {0, 3, 17, 20, 39})
+      EXPECT_TRUE(circle.has_on(curve(FT(tenths) / 10)));
+    EXPECT_GT(curve.binormal(FT(1) / 2) * normal, 0);
+  }
+  expect_invalid([&] { SC::to_bspline_curve(E::Circle_3(E::Point_3(1, 2, 3), 5, diagonal)); }, "no point with rational coordinates was found");
+  expect_invalid([&] { SC::to_bspline_curve(K::Circle_3(center, 3, K::Vector_3(0, 0, 1))); }, "there is no point");
+  const auto rounded = SC::to_bspline_curve(CGAL::Epick::Circle_3({0, 0, 0}, 3, CGAL::Epick::Vector_3(0, 0, 1)));
+  EXPECT_NEAR(CGAL::squared_distance(rounded(0.3), CGAL::Epick::Point_3(0, 0, 0)), 3, 1e-14);
+
+  const auto triangle = SC::to_bspline_curve(K::Triangle_3({0, 0, 0}, {1, 0, 0}, {0, 1, 1}));
+  EXPECT_TRUE(triangle.is_closed());
+  EXPECT_EQ(triangle(1.5), K::Point_3(0.5, 0.5, 0.5));
+
+  const K::Point_3 source(4, 2, 3), target(1, 5, 3);
+  const auto quarter = SC::circular_arc_curve(center, K::Vector_3(0, 0, 7), source, target);
+  EXPECT_EQ(quarter.target(), target);
+  EXPECT_EQ(quarter.domain().second, 1);
+  EXPECT_EQ(SC::circular_arc_curve(center, K::Vector_3(0, 0, -7), source, target).domain().second, 3);
+  expect_invalid([&] { SC::circular_arc_curve(center, K::Vector_3(0, 0, 7), source, K::Point_3(1, 6, 3)); }, "not on the circle");
+
+  using S = CGAL::Exact_spherical_kernel_3;
+  const S::Circle_3 circle(S::Point_3(1, 2, 3), 9, S::Vector_3(0, 0, -1));
+  const auto arc = SC::to_bspline_curve(S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)), S::Circular_arc_point_3(S::Point_3(1, 5, 3))));
+  EXPECT_EQ(arc.source(), S::Point_3(4, 2, 3));
+  EXPECT_EQ(arc.target(), S::Point_3(1, 5, 3));
+  EXPECT_EQ(arc.domain().second, 1);
+}
+
+TEST(To_bspline_curve, converts_polygons_with_holes)
+{
+  CGAL::Polygon_2<K> outer, hole;
+  for (const K::Point_2& p : {K::Point_2(0, 0), {4, 0}, {4, 4}, {0, 4}})
+    outer.push_back(p);
+  for (const K::Point_2& p : {K::Point_2(1, 1), {1, 2}, {2, 1}})
+    hole.push_back(p);
+  const CGAL::Polygon_with_holes_2<K> polygon(outer, &hole, &hole + 1);
+  const auto curves = SC::to_bspline_curves(polygon);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0](2), K::Point_2(4, 4));
+  EXPECT_EQ(curves[1](2), K::Point_2(2, 1));
 }
 
 TEST(To_bspline_curve, takes_any_model_of_the_concept)

@@ -70,6 +70,17 @@ inline Exact_rational turn_parameter(const Exact_rational& cosine, const Exact_r
   return Exact_rational(tau >= -sigma ? Exact_rational(2 - sigma / tau) : Exact_rational(4 + tau / sigma));
 }
 
+// The circle that a point describes around an axis.
+inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& center, const Exact_kernel::Vector_3& direction, const Exact_kernel::Point_3& source)
+{
+  const auto from_center = source - center;
+  if (are_parallel(direction, from_center))
+    throw Invalid_input("circle_curve: the direction is zero or the source is on the axis");
+  const auto path = Direction_path::half_round(near_inverse_root(direction.squared_length()));
+  const Vector_function<3> axis(path.domain(), direction), arm(path.domain(), from_center);
+  return object_around<Bspline_curve_3<Exact_kernel>>(center, rotated(arm, axis, path), rotation_weight(axis, path));
+}
+
 } // namespace internal
 
 /// \addtogroup PkgSplineConstraintsDConstructions
@@ -153,15 +164,37 @@ the circle that a point describes around the line through `center` in a directio
 template <SplineKernel Kernel>
 Bspline_curve_3<Kernel> circle_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction, const CGAL::Point_3<Kernel>& source)
 {
-  const auto c = internal::exact_object(center);
+  return Bspline_curve_3<Kernel>(internal::circle_around(internal::exact_object(center), internal::exact_object(direction), internal::exact_object(source)));
+}
+
+/*!
+the part of that circle from its source to another point of it, counterclockwise as seen against the direction, with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with
+the angle. Exact where the kernel is.
+
+In kernels of doubles the target is the point of the circle in the direction of the given one.
+\throws Invalid_input as `circle_curve()`; when the target is on the line, or is the source; and when it is not on the circle (where numbers are exact).
+*/
+template <SplineKernel Kernel>
+Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction, const CGAL::Point_3<Kernel>& source,
+                                           const CGAL::Point_3<Kernel>& target)
+{
+  const auto c = internal::exact_object(center), p = internal::exact_object(source), q = internal::exact_object(target);
   const auto n = internal::exact_object(direction);
-  const auto s = internal::exact_object(source) - c;
-  if (internal::are_parallel(n, s))
-    throw Invalid_input("circle_curve: the direction is zero or the source is on the axis");
-  const auto path = internal::Direction_path::half_round(internal::near_inverse_root(n.squared_length()));
-  const internal::Vector_function<3> axis(path.domain(), n), arm(path.domain(), s);
-  return Bspline_curve_3<Kernel>(internal::object_around<Bspline_curve_3<internal::Exact_kernel>>(
-    c, internal::rotated(arm, axis, path), internal::rotation_weight(axis, path)));
+  const auto circle = internal::circle_around(c, n, p);
+  if (internal::are_parallel(n, q - c) || p == q)
+    throw Invalid_input("circular_arc_curve: the target is on the axis, or is the source");
+  const Exact_rational squared_axis = n.squared_length();
+  const auto arm = [&](const internal::Exact_kernel::Point_3& x) { return (x - c) - n * Exact_rational((x - c) * n / squared_axis); };
+  const auto s = arm(p);
+  auto t = arm(q);
+  if constexpr (std::is_floating_point_v<typename Kernel::FT>)
+    t = t * to_rational(std::sqrt(to_nearest_double(Exact_rational(s.squared_length() / t.squared_length()))));
+  else if (s.squared_length() != t.squared_length() || (q - p) * n != 0)
+    throw Invalid_input("circular_arc_curve: the target is not on the circle");
+  const Exact_rational squared_radius = s.squared_length(), height = internal::near_inverse_root(squared_axis);
+  const Exact_rational sine_over_length = n * CGAL::cross_product(s, t) / (squared_axis * squared_radius);
+  const Exact_rational end = internal::turn_parameter(Exact_rational(s * t / squared_radius), Exact_rational(sine_over_length / height));
+  return Bspline_curve_3<Kernel>(circle.restricted(Exact_rational(0), end));
 }
 
 /// @}

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,27 @@ struct Conic_through_origin
   }
 
   Exact_rational linear(const Vector& a) const { return Exact_rational(x * a.x() + y * a.y()); }
+
+  // The direction of the tangent at the origin, and one that is conjugate to it.
+  Vector tangent() const { return {Exact_rational(-y), x}; }
+
+  Vector conjugate() const
+  {
+    const Vector a = tangent();
+    return {Exact_rational(-(xy * a.x() + 2 * yy * a.y())), Exact_rational(2 * xx * a.x() + xy * a.y())};
+  }
+
+  // The coordinates (sigma, tau) of a vector in these directions, up to a factor.
+  std::pair<Exact_rational, Exact_rational> direction_of(const Vector& p) const
+  {
+    const Vector a = tangent(), b = conjugate();
+    return {Exact_rational(p.x() * b.y() - p.y() * b.x()), Exact_rational(a.x() * p.y() - a.y() * p.x())};
+  }
+
+  bool is_ellipse() const { return Exact_rational(form(tangent(), tangent()) * form(conjugate(), conjugate())) > 0; }
+
+  // The height of the rectangle along which the directions to an ellipse run.
+  Exact_rational height_of_path() const { return near_inverse_root(Exact_rational(form(conjugate(), conjugate()) / form(tangent(), tangent()))); }
 
   // Zero exactly for pairs of lines: the determinant of the symmetric matrix, four times.
   Exact_rational determinant() const { return Exact_rational(xy * x * y - xx * y * y - yy * x * x); }
@@ -89,12 +111,10 @@ inline Conic_through_origin conic_through(const std::array<Exact_kernel::Vector_
 }
 
 // The points -2 tau l(b) (sigma a + tau b) / (A sigma^2 + B tau^2), where a is the tangent at the origin, b conjugate to it, and A, B their quadratic forms.
-inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin,
-                                               const std::array<Exact_kernel::Vector_2, 4>& others)
+inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic, const Exact_kernel::Point_2& origin, std::span<const Exact_kernel::Vector_2> others)
 {
   using Vector = Exact_kernel::Vector_2;
-  const Vector tangent(-conic.y, conic.x);
-  const Vector conjugate(Exact_rational(-(conic.xy * tangent.x() + 2 * conic.yy * tangent.y())), Exact_rational(2 * conic.xx * tangent.x() + conic.xy * tangent.y()));
+  const Vector tangent = conic.tangent(), conjugate = conic.conjugate();
   const Exact_rational A = conic.form(tangent, tangent), B = conic.form(conjugate, conjugate);
 
   const auto curve_on = [&](const Direction_path& path) {
@@ -102,12 +122,12 @@ inline Bspline_curve_2<Exact_kernel> conic_arc(const Conic_through_origin& conic
     const Vector_function<2> numerators = (a * path.sigma_tau + b * path.squared_tau) * Scalar_function(path.domain(), Exact_rational(-2 * conic.linear(conjugate)));
     return object_around<Bspline_curve_2<Exact_kernel>>(origin, numerators, path.squared_sigma * A + path.squared_tau * B);
   };
-  if (Exact_rational(A * B) > 0)
-    return curve_on(Direction_path::half_round(near_inverse_root(Exact_rational(B / A))));
+  if (conic.is_ellipse())
+    return curve_on(Direction_path::half_round(conic.height_of_path()));
   // An open branch is seen from the origin in directions around the tangent: tau / sigma orders its points.
   Exact_rational first(0), last(0);
   for (const Vector& p : others) {
-    const Exact_rational sigma = p.x() * conjugate.y() - p.y() * conjugate.x(), tau = tangent.x() * p.y() - tangent.y() * p.x();
+    const auto [sigma, tau] = conic.direction_of(p);
     if (Exact_rational((A * sigma * sigma + B * tau * tau) * A) <= 0)
       throw Invalid_input("conic_curve: the points are on both branches of a hyperbola");
     const Exact_rational slope = tau / sigma;

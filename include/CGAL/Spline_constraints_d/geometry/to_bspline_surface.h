@@ -14,6 +14,7 @@
 #include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -120,6 +121,22 @@ std::array<Bspline_surface_3<Kernel>, 6> to_bspline_surfaces(const CGAL::Iso_cub
                        : bilinear_surface<Kernel>(corner(false, false), corner(true, false), corner(false, true), corner(true, true));
   };
   return {face(0, false), face(0, true), face(1, false), face(1, true), face(2, false), face(2, true)};
+}
+
+//! the four faces of the tetrahedron, face \f$i\f$ opposite to vertex \f$i\f$, with normals outwards; see the conversion of triangles. Exact in every kernel.
+//! \throws Invalid_input when the tetrahedron is flat.
+template <SplineKernel Kernel>
+std::array<Bspline_surface_3<Kernel>, 4> to_bspline_surfaces(const CGAL::Tetrahedron_3<Kernel>& tetrahedron)
+{
+  if (tetrahedron.is_degenerate())
+    throw Invalid_input("to_bspline_surfaces: the tetrahedron is flat");
+  const auto face = [&](int i) {
+    std::array<int, 3> others{(i + 1) % 4, (i + 2) % 4, (i + 3) % 4};
+    if ((i % 2 == 0) != (tetrahedron.orientation() == CGAL::POSITIVE))
+      std::swap(others[1], others[2]);
+    return to_bspline_surface(CGAL::Triangle_3<Kernel>(tetrahedron.vertex(others[0]), tetrahedron.vertex(others[1]), tetrahedron.vertex(others[2])));
+  };
+  return {face(0), face(1), face(2), face(3)};
 }
 
 /// @}

@@ -91,6 +91,31 @@ inline Sum_of_squares<3> sum_of_three_squares(const Exact_rational& x)
   return result;
 }
 
+/*
+Rational numbers x, y with a x^2 + 2 b x y + c y^2 = value: a rational point of a conic around the origin. It is searched for in the directions of small integers; for
+multiples of x^2 + y^2 the search is that for two squares.
+*/
+inline Sum_of_squares<2> rational_point_of_form(const Exact_rational& a, const Exact_rational& b, const Exact_rational& c, const Exact_rational& value)
+{
+  if (b == 0 && a == c)
+    return sum_of_two_squares(Exact_rational(value / a));
+  constexpr int limit = 100;
+  Sum_of_squares<2> result{std::nullopt, false};
+  const auto is_found_along = [&](int i, int j) {
+    const Exact_rational form = a * (i * i) + b * (2 * i * j) + c * (j * j);
+    if (form == 0)
+      return false;
+    if (const std::optional<Exact_rational> root = rational_square_root(Exact_rational(value / form)))
+      result.roots = {Exact_rational(*root * i), Exact_rational(*root * j)};
+    return result.roots.has_value();
+  };
+  for (int i = 1; i <= limit; ++i)
+    for (int j = -i; j <= i; ++j)
+      if (is_found_along(i, j) || is_found_along(j, i))
+        return result;
+  return result;
+}
+
 // A positive number near 1 / sqrt(x), of few digits unless it is the root exactly.
 inline Exact_rational near_inverse_root(const Exact_rational& x)
 {

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONIC_TRAITS_CURVES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONIC_TRAITS_CURVES_H
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conic_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/core_numbers.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+
+#include <concepts>
+#include <span>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Curve_2 of CGAL::Arr_conic_traits_2; its class template has different names in different versions of CGAL.
+template <class Arc>
+concept Conic_traits_arc = requires(const Arc& arc) {
+  typename Arc::Rat_kernel;
+  arc.r();
+  arc.w();
+  arc.is_full_conic();
+  { arc.orientation() } -> std::convertible_to<CGAL::Orientation>;
+};
+
+// X_monotone_curve_2, which hides most of what it inherits from Curve_2.
+template <class Arc>
+concept Conic_traits_x_monotone_arc = !Conic_traits_arc<Arc> && requires(const Arc& arc) {
+  typename Arc::Conic_arc_2::Rat_kernel;
+  arc.r();
+  arc.w();
+  arc.is_directed_right();
+  { arc.orientation() } -> std::convertible_to<CGAL::Orientation>;
+};
+
+// r x^2 + s y^2 + t x y + u x + v y + w = 0, in the letters of CGAL.
+struct Conic_equation
+{
+  Exact_rational r, s, t, u, v, w;
+
+  template <class Arc>
+  explicit Conic_equation(const Arc& arc)
+    : r(number(arc.r())), s(number(arc.s())), t(number(arc.t())), u(number(arc.u())), v(number(arc.v())), w(number(arc.w()))
+  {}
+
+  template <class Integer>
+  static Exact_rational number(const Integer& x) { return converted_number<Exact_rational>(CORE::BigRat(x)); }
+
+  Exact_rational operator()(const Exact_kernel::Point_2& p) const
+  {
+    return Exact_rational((r * p.x() + t * p.y() + u) * p.x() + (s * p.y() + v) * p.y() + w);
+  }
+
+  // With a point of the conic as the origin.
+  Conic_through_origin around(const Exact_kernel::Point_2& p) const
+  {
+    return {r, t, s, Exact_rational(2 * r * p.x() + t * p.y() + u), Exact_rational(2 * s * p.y() + t * p.x() + v)};
+  }
+};
+
+// A rational point of an ellipse.
+inline Exact_kernel::Point_2 point_of_ellipse(const Conic_equation& conic)
+{
+  const Exact_rational determinant = 4 * conic.r * conic.s - conic.t * conic.t;
+  const Exact_kernel::Point_2 center(Exact_rational((conic.t * conic.v - 2 * conic.s * conic.u) / determinant),
+                                     Exact_rational((conic.t * conic.u - 2 * conic.r * conic.v) / determinant));
+  const auto point = rational_point_of_form(conic.r, Exact_rational(conic.t / 2), conic.s, Exact_rational(-conic(center)));
+  if (!point.roots)
+    throw_without_rational_point("to_bspline_curve: the ellipse", point.is_complete);
+  return center + Exact_kernel::Vector_2((*point.roots)[0], (*point.roots)[1]);
+}
+
+// The whole ellipse from one of its points.
+inline Bspline_curve_2<Exact_kernel> ellipse_from(const Conic_equation& conic, const Exact_kernel::Point_2& source)
+{
+  return conic_arc(conic.around(source), source, {});
+}
+
+inline CGAL::Orientation orientation_of_ellipse(const Bspline_curve_2<Exact_kernel>& ellipse) { return CGAL::orientation(ellipse(0), ellipse(1), ellipse(2)); }
+
+inline Bspline_curve_2<Exact_kernel> arc_of_conic(const Conic_equation& equation, const Exact_kernel::Point_2& source, const Exact_kernel::Point_2& target,
+                                                  CGAL::Orientation orientation)
+{
+  const Conic_through_origin conic = equation.around(source);
+  const Exact_kernel::Vector_2 chord = target - source;
+  if (conic.determinant() == 0)
+    throw Invalid_input("to_bspline_curve: the conic of the arc is a pair of lines");
+  const auto [sigma, tau] = conic.direction_of(chord);
+  if (!conic.is_ellipse()) {
+    const auto arc = conic_arc(conic, source, std::span(&chord, 1));
+    return arc.source() == source ? arc : arc.reversed();
+  }
+  const auto ellipse = ellipse_from(equation, source);
+  const Exact_rational end = turn_parameter(Exact_rational(sigma - 1), Exact_rational(tau / conic.height_of_path()));
+  return orientation_of_ellipse(ellipse) == orientation ? ellipse.restricted(Exact_rational(0), end) : ellipse.restricted(end, Exact_rational(4)).reversed();
+}
+
+template <class Point>
+Exact_kernel::Point_2 rational_end(const Point& p)
+{
+  const auto x = rational_value_of(p.x()), y = rational_value_of(p.y());
+  if (!x || !y)
+    throw Invalid_input("to_bspline_curve: an end of the conic arc has no rational coordinates");
+  return {*x, *y};
+}
+
+template <class Arc>
+Bspline_curve_2<Exact_kernel> curve_between_ends(const Arc& arc)
+{
+  const auto source = rational_end(arc.source()), target = rational_end(arc.target());
+  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target) : arc_of_conic(Conic_equation(arc), source, target, arc.orientation());
+}
+
+} // namespace internal
+
+/// \addtogroup PkgSplineConstraintsDConstructions
+/// @{
+
+/*!
+a `Curve_2` of `CGAL::Arr_conic_traits_2`, from its source to its target, as a rational quadratic curve, or a segment, in the rational kernel of the traits class; a whole
+ellipse in its orientation from a rational point of it that is looked for in the directions of small integers from its center. Exact: the conic is projected from the source,
+as in `conic_curve()`. The domain is a part of \f$[0,4]\f$ for arcs of ellipses, otherwise a range of slopes.
+\throws Invalid_input when the arc is not valid; an end has no rational coordinates, or some whose numerator and denominator have 190 bits or more; the conic is a pair of
+lines; its ends are on both branches of a hyperbola; and when no rational point of a whole ellipse is found.
+*/
+template <internal::Conic_traits_arc Arc>
+Bspline_curve_2<typename Arc::Rat_kernel> to_bspline_curve(const Arc& arc)
+{
+  using Curve = Bspline_curve_2<typename Arc::Rat_kernel>;
+  if (!arc.is_valid())
+    throw Invalid_input("to_bspline_curve: the conic arc is not valid");
+  if (arc.is_full_conic()) {
+    const internal::Conic_equation conic(arc);
+    const auto ellipse = internal::ellipse_from(conic, internal::point_of_ellipse(conic));
+    return Curve(internal::orientation_of_ellipse(ellipse) == arc.orientation() ? ellipse : ellipse.reversed());
+  }
+  return Curve(internal::curve_between_ends(arc));
+}
+
+//! the same of an `X_monotone_curve_2`. An end where the tangent is vertical is often not rational.
+template <internal::Conic_traits_x_monotone_arc Arc>
+Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel> to_bspline_curve(const Arc& arc)
+{
+  return Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel>(internal::curve_between_ends(arc));
+}
+
+/// @}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CONIC_TRAITS_CURVES_H
