@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_SVG_H
+#define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_SVG_H
+
+#include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
+#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A Bézier curve in homogeneous coordinates x, y, weight, rounded to doubles.
+using Rounded_bezier = std::vector<std::array<double, 3>>;
+
+inline double distance_from_segment(double px, double py, double qx, double qy)
+{
+  const double square = qx * qx + qy * qy;
+  const double s = square > 0 ? (std::max)(0., (std::min)(1., (px * qx + py * qy) / square)) : 0;
+  return std::hypot(px - s * qx, py - s * qy);
+}
+
+// The curve is in the hull of its control points where weights are positive.
+inline bool is_near_its_chord(const Rounded_bezier& curve, double error)
+{
+  const auto& a = curve.front();
+  const auto& b = curve.back();
+  return std::all_of(curve.begin(), curve.end(), [&](const auto& p) {
+    return p[2] > 0 && distance_from_segment(p[0] / p[2] - a[0] / a[2], p[1] / p[2] - a[1] / a[2], b[0] / b[2] - a[0] / a[2], b[1] / b[2] - a[1] / a[2]) <= error;
+  });
+}
+
+// Appends points of the curve but the first, such that chords between them have the error at most, or after 2^16 parts.
+inline void append_chords(std::vector<std::array<double, 2>>& points, Rounded_bezier curve, double error, int depth = 0)
+{
+  if (depth == 16 || is_near_its_chord(curve, error)) {
+    const auto& p = curve.back();
+    points.push_back({p[0] / p[2], p[1] / p[2]});
+    return;
+  }
+  Rounded_bezier left{curve.front()};
+  for (std::size_t last = curve.size() - 1; last > 0; --last) {
+    for (std::size_t i = 0; i < last; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        curve[i][j] = (curve[i][j] + curve[i + 1][j]) / 2;
+    left.push_back(curve.front());
+  }
+  append_chords(points, left, error, depth + 1);
+  append_chords(points, curve, error, depth + 1);
+}
+
+template <SplineKernel Kernel>
+Rounded_bezier rounded_bezier(const Bspline_curve_2<Kernel>& piece)
+{
+  const auto& map = piece.representation();
+  Rounded_bezier result;
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    result.push_back({converted_number<double>(map.numerator(0).coefficients()[k]), converted_number<double>(map.numerator(1).coefficients()[k]),
+                      converted_number<double>(map.control_weight(k))});
+  return result;
+}
+
+template <class Point>
+std::string coordinate_text(const Point& p)
+{
+  return decimal_text(converted_number<Exact_rational>(p.x())) + ' ' + decimal_text(converted_number<Exact_rational>(p.y()));
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+Draws curves, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
+
+Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the drawing
+back; those that are polynomial of degree three at most, exactly, if the control points of their Bézier pieces are numbers of 60 decimals at most.
+*/
+class SVG_writer
+{
+  std::ostream& m_out;
+  double m_pixel;
+
+public:
+  /*!
+  begins a drawing.
+  \param out where it is written to.
+  \param view what is seen.
+  \param width in pixels.
+  \throws Invalid_input when the view has no extent, or something is not finite.
+  */
+  SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600) : m_out(out), m_pixel((view.xmax() - view.xmin()) / width)
+  {
+    const double w = view.xmax() - view.xmin(), h = view.ymax() - view.ymin();
+    if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 && h > 0 && m_pixel > 0))
+      throw Invalid_input("SVG_writer: the view or its width has no extent, or is not finite");
+    const auto text = internal::double_text;
+    m_out << "<svg xmlns='http://www.w3.org/2000/svg' style='background: white' viewBox='" << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h)
+          << "' width='" << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
+          << "<g transform='scale(1 -1)' fill='none' font-family='sans-serif'>\n";
+  }
+
+  SVG_writer(const SVG_writer&) = delete;
+  SVG_writer& operator=(const SVG_writer&) = delete;
+
+  //! ends the drawing.
+  ~SVG_writer() { m_out << "</g>\n</svg>\n"; }
+
+  /*!
+  draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control points (coordinates without an end after 60 decimals are rounded to
+  double); else by chords with an error of
+  a tenth of a pixel at most, up to rounding. Curves that are discontinuous are drawn connected.
+  */
+  template <SplineKernel Kernel>
+  void curve(const Bspline_curve_2<Kernel>& curve, const std::string& color = "black", double width = 1.5)
+  {
+    const std::vector<Bspline_curve_2<Kernel>> pieces = curve.bezier_pieces();
+    m_out << "<path d='M" << internal::coordinate_text(pieces.front().source());
+    for (const Bspline_curve_2<Kernel>& piece : pieces)
+      if (!piece.is_rational() && piece.degree() >= 1 && piece.degree() <= 3)
+        write_polynomial(piece);
+      else
+        write_chords(piece);
+    m_out << "' " << stroke(color, width) << "/>\n";
+  }
+
+  //! draws a point as a disk: a path of length zero with round ends.
+  template <SplineKernel Kernel>
+  void point(const CGAL::Point_2<Kernel>& p, const std::string& color = "black", double diameter = 7)
+  {
+    m_out << "<path d='M" << internal::coordinate_text(p) << "h0' stroke-linecap='round' " << stroke(color, diameter) << "/>\n";
+  }
+
+  //! writes a text that begins at a point.
+  template <SplineKernel Kernel>
+  void label(const CGAL::Point_2<Kernel>& p, const std::string& text, const std::string& color = "black", double size = 14)
+  {
+    m_out << "<text transform='translate(" << internal::coordinate_text(p) << ") scale(" << internal::double_text(m_pixel) << ' ' << internal::double_text(-m_pixel) << ")' fill='" << color
+          << "' font-size='" << internal::double_text(size) << "'>" << escaped(text) << "</text>\n";
+  }
+
+private:
+  std::string stroke(const std::string& color, double width) const { return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'"; }
+
+  template <class Curve>
+  void write_polynomial(const Curve& piece)
+  {
+    const auto points = piece.control_points();
+    m_out << "\n" << " LQC"[piece.degree()];
+    for (std::size_t i = 1; i < points.size(); ++i)
+      m_out << (i == 1 ? "" : " ") << internal::coordinate_text(points[i]);
+  }
+
+  template <class Curve>
+  void write_chords(const Curve& piece)
+  {
+    std::vector<std::array<double, 2>> points;
+    internal::append_chords(points, internal::rounded_bezier(piece), m_pixel / 10);
+    for (const auto& p : points)
+      m_out << "\nL" << internal::double_text(p[0]) << ' ' << internal::double_text(p[1]);
+  }
+
+  static std::string escaped(const std::string& text)
+  {
+    std::string result;
+    for (const char c : text)
+      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+    return result;
+  }
+};
+
+namespace IO {
+
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+draws curves in black, with a margin of a twentieth of their extent.
+\param out where the drawing is written to.
+\param curves one curve or more.
+\throws Invalid_input when there are no curves, or they are all one point.
+*/
+template <SplineKernel Kernel>
+void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves)
+{
+  CGAL::Bbox_2 box;
+  for (const Bspline_curve_2<Kernel>& curve : curves)
+    box += curve.bbox();
+  const double margin = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()) / 20;
+  SVG_writer writer(out, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin));
+  for (const Bspline_curve_2<Kernel>& curve : curves)
+    writer.curve(curve);
+}
+
+} // namespace IO
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_SVG_H

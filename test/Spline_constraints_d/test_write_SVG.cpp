@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Spline_constraints_d/IO/read_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Exact_predicates_exact_constructions_kernel;
+using FT = K::FT;
+using Point = K::Point_2;
+using Curve = SC::Bspline_curve_2<K>;
+
+namespace {
+
+std::string written(const std::vector<Curve>& curves)
+{
+  std::ostringstream out;
+  SC::IO::write_SVG(out, curves);
+  return out.str();
+}
+
+std::vector<Curve> read(const std::string& drawing)
+{
+  std::istringstream in(drawing);
+  std::vector<Curve> result;
+  for (const auto& curve : SC::IO::read_SVG<K>(in, "written.svg"))
+    result.push_back(curve.curve);
+  return result;
+}
+
+TEST(Write_SVG, decimals_are_exact)
+{
+  const auto text = [](int a, int b) { return SC::internal::decimal_text(SC::Exact_rational(a) / SC::Exact_rational(b)); };
+  EXPECT_EQ(text(0, 1), "0");
+  EXPECT_EQ(text(-7, 1), "-7");
+  EXPECT_EQ(text(100, 1), "100");
+  EXPECT_EQ(text(1, 10), "0.1");
+  EXPECT_EQ(text(-5, 4), "-1.25");
+  EXPECT_EQ(text(3, 2000), "0.0015");
+  EXPECT_EQ(text(1, 1024), "0.0009765625");
+  EXPECT_EQ(text(1, 3), "0.3333333333333333");
+}
+
+TEST(Write_SVG, polynomial_curves_are_read_back_exactly)
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> number(-1000, 1000);
+  std::vector<Curve> curves;
+  for (int degree = 1; degree <= 3; ++degree)
+    for (int spans = 1; spans <= 4; ++spans) {
+      std::vector<Point> points;
+      for (int i = 0; i < degree + spans; ++i)
+        points.emplace_back(FT(144 * number(random)) / 10, FT(9 * number(random)) / 64);   // without thirds in the Bezier pieces
+      curves.emplace_back(degree, SC::internal::integer_knots<FT>(degree, points.size()), points);
+    }
+  const std::vector<Curve> again = read(written(curves));
+  ASSERT_EQ(again.size(), curves.size());
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    EXPECT_TRUE(again[i] == curves[i]) << i;
+}
+
+TEST(Write_SVG, chords_are_near_the_curve)
+{
+  const Curve circle = SC::circle_curve(Point(1, 2), FT(5));
+  const std::vector<Curve> curves = read(written({circle}));
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].degree(), 1);
+  EXPECT_GT(curves[0].size(), 20u);
+  EXPECT_LT(curves[0].size(), 400u);
+  const double error = 11. / 600 / 10;   // a tenth of a pixel
+  for (std::size_t i = 0; i + 1 < 2 * curves[0].size(); ++i) {   // ends and middles of the chords
+    const double distance = std::sqrt(CGAL::to_double(CGAL::squared_distance(Point(1, 2), curves[0](FT(i) / 2))));
+    EXPECT_LE(distance, 5 + 1e-12);
+    EXPECT_GE(distance, 5 - error - 1e-12);
+  }
+}
+
+TEST(Write_SVG, a_zero_weight_and_a_high_degree_are_drawn)
+{
+  using NT = SC::Exact_rational;
+  using F = SC::Bspline_function<NT>;
+  const std::vector<NT> knots{0, 0, 0, 1, 1, 1};
+  const auto function = [&](const NT& a, const NT& b, const NT& c) { return F({2}, {knots}, {a, b, c}); };
+  const Curve half_circle = Curve::from_homogeneous_coordinates({function(1, 0, -1), function(0, 1, 0)}, function(1, 0, 1));
+  const Curve quartic = SC::bezier_curve(std::vector<Point>{{0, 0}, {1, 2}, {2, -2}, {3, 2}, {4, 0}});
+  const std::vector<Curve> curves = read(written({half_circle, quartic}));
+  ASSERT_EQ(curves.size(), 2u);
+  for (const Point& p : curves[0].control_points())
+    EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(p, Point(0, 0))), 1, 1e-12);
+  EXPECT_EQ(curves[0].target(), Point(-1, 0));
+  EXPECT_EQ(curves[1].target(), Point(4, 0));
+}
+
+TEST(Write_SVG, points_and_labels_are_no_curves)
+{
+  std::ostringstream out;
+  {
+    SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 4, 2), 400);
+    writer.curve(SC::segment_curve(Point(0, 0), Point(1, 1)), "red", 3);
+    writer.point(Point(1, 1));
+    writer.label(Point(1, 1), "a < b & c");
+  }
+  EXPECT_NE(out.str().find("a &lt; b &amp; c"), std::string::npos);
+  EXPECT_NE(out.str().find("stroke='red' stroke-width='0.03'"), std::string::npos);
+  const std::vector<Curve> curves = read(out.str());
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].target(), Point(1, 1));
+}
+
+TEST(Write_SVG, views_without_extent_are_refused)
+{
+  std::ostringstream out;
+  EXPECT_THROW(SC::SVG_writer(out, CGAL::Bbox_2(0, 0, 0, 1)), SC::Invalid_input);
+  EXPECT_THROW(SC::SVG_writer(out, CGAL::Bbox_2(0, 0, std::numeric_limits<double>::infinity(), 1)), SC::Invalid_input);
+  EXPECT_THROW(SC::SVG_writer(out, CGAL::Bbox_2(0, 0, 1, 1), 0), SC::Invalid_input);
+  EXPECT_THROW(SC::IO::write_SVG(out, std::vector<Curve>{}), SC::Invalid_input);
+  EXPECT_TRUE(out.str().empty());
+}
+
+} // namespace
