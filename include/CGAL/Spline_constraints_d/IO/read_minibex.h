@@ -7,10 +7,9 @@
 #include <CGAL/Spline_constraints_d/IO/Minibex_system.h>
 #include <CGAL/Spline_constraints_d/IO/Parse_error.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Minibex_parser.h>
+#include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
 
-#include <fstream>
 #include <istream>
-#include <iterator>
 #include <string>
 
 namespace CGAL {
@@ -51,12 +50,8 @@ Expressions are expanded; the time this takes is bounded by a constant (some sec
 */
 inline Minibex_system read_minibex(std::istream& in, const std::string& file_name)
 {
-  if (!in)
-    throw Parse_error(file_name, 0, 0, "cannot be read", "");
-  const std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad())
-    throw Parse_error(file_name, 0, 0, "cannot be read", "");
-  return internal::Minibex_parser(content, file_name).system();
+  const internal::Text_source source = internal::Text_source::read(in, file_name);
+  return internal::Minibex_parser(source.content(), file_name).system();
 }
 
 /*!
@@ -67,14 +62,8 @@ reads the file of the given path.
 */
 inline Minibex_system read_minibex(const std::string& path)
 {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw Parse_error(path, 0, 0, "cannot be opened", "");
-  in.peek();   // a directory opens, but cannot be read
-  if (in.bad())
-    throw Parse_error(path, 0, 0, "cannot be read", "");
-  in.clear();
-  return read_minibex(in, path);
+  const internal::Text_source source = internal::Text_source::read(path);
+  return internal::Minibex_parser(source.content(), path).system();
 }
 
 } // namespace Spline_constraints

@@ -85,7 +85,8 @@ std::string coordinate_text(const Point& p)
 
 Draws curves, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
 
-Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the drawing
+Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the
+drawing
 back; those that are polynomial of degree three at most, exactly, if the control points of their Bézier pieces are numbers of 60 decimals at most.
 */
 class SVG_writer
@@ -119,7 +120,8 @@ public:
   ~SVG_writer() { m_out << "</g>\n</svg>\n"; }
 
   /*!
-  draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control points (coordinates without an end after 60 decimals are rounded to
+  draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control points (coordinates without an end after 60
+  decimals are rounded to
   double); else by chords with an error of
   a tenth of a pixel at most, up to rounding. Curves that are discontinuous are drawn connected.
   */
@@ -147,8 +149,8 @@ public:
   template <SplineKernel Kernel>
   void label(const CGAL::Point_2<Kernel>& p, const std::string& text, const std::string& color = "black", double size = 14)
   {
-    m_out << "<text transform='translate(" << internal::coordinate_text(p) << ") scale(" << internal::double_text(m_pixel) << ' ' << internal::double_text(-m_pixel) << ")' fill='" << color
-          << "' font-size='" << internal::double_text(size) << "'>" << escaped(text) << "</text>\n";
+    m_out << "<text transform='translate(" << internal::coordinate_text(p) << ") scale(" << internal::double_text(m_pixel) << ' ' << internal::double_text(-m_pixel)
+          << ")' fill='" << color << "' font-size='" << internal::double_text(size) << "'>" << escaped(text) << "</text>\n";
   }
 
 private:
