@@ -93,13 +93,17 @@ private:
       roots.push_back(*search.root);
     else if (search.outcome == Double_root_search::CLOSE_ROOTS)
       roots = close_roots(m_system, search);
-    if (roots.empty() && search.outcome != Double_root_search::NO_ROOT)
-      return false;
+    std::vector<Position> positions;
+    for (Algebraic_root& root : roots)
+      positions.push_back(algebraic_position(m_system, root));
+    const auto is_decided = [](Position position) { return position == Position::INSIDE || position == Position::OUTSIDE; };
+    if ((roots.empty() && search.outcome != Double_root_search::NO_ROOT) || !std::all_of(positions.begin(), positions.end(), is_decided))
+      return false;   // more precision may tell
     const bool is_double = roots.size() == 1;
     const auto is_in_region = [&](const Solution_d<double>& known) { return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box()); };
-    for (Algebraic_root& root : roots)
-      if (is_double ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(root))
-        report(root, is_double, solutions);
+    for (std::size_t i = 0; i < roots.size(); ++i)
+      if (positions[i] == Position::INSIDE && (is_double ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(roots[i])))
+        report(roots[i], is_double, solutions);
     m_double_roots.push_back(std::move(search));
     return true;
   }
@@ -120,14 +124,10 @@ private:
 
   void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
   {
-    const Position position = algebraic_position(m_system, root);
-    if (position == Position::OUTSIDE)
-      return;
     const int bits = root.bits_of_width() < Algebraic_root::bits_of_point ? static_cast<int>((std::max)(root.bits_of_width(), 128L)) : 128;
     root.refine(bits);
-    const Undecided_reason reason = reason_of(position);
-    const Solution_kind kind = reason != Undecided_reason::NONE ? Solution_kind::UNDECIDED : is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;
-    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_double ? Exact_box() : root.region(), Number_traits<Number>::name, reason, is_double ? 2 : 1), bits);
+    const Solution_kind kind = is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;
+    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_double ? Exact_box() : root.region(), Number_traits<Number>::name, Undecided_reason::NONE, is_double ? 2 : 1), bits);
   }
 
   // The solution that is known in a cluster is regular: it is the only one in a much smaller box around it.
