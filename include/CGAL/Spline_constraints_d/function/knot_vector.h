@@ -131,25 +131,47 @@ struct Blossom_argument
   NT weight = NT(1);
 };
 
-// Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span. `argument(i)` for i < d.
+// Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span, with one argument more at a time: after d of them they are complete.
+template <class NT>
+class Blossom_weights
+{
+  const Knot_axis<NT>* m_axis;
+  std::size_t m_span;
+  std::vector<NT> m_weights{NT(1)};
+
+public:
+  Blossom_weights(const Knot_axis<NT>& axis, std::size_t span) : m_axis(&axis), m_span(span) {}
+
+  void add(const Blossom_argument<NT>& x)
+  {
+    const std::size_t level = m_weights.size();
+    m_weights.push_back(NT(0));
+    NT carried(0);
+    for (std::size_t r = 0; r < level; ++r) {
+      if (is_known_zero(m_weights[r])) {   // as many are where arguments are knots
+        m_weights[r] = std::exchange(carried, NT(0));
+        continue;
+      }
+      const NT& right = m_axis->knots[m_span + r + 1];
+      const NT& left = m_axis->knots[m_span + r + 1 - level];
+      const NT quotient = m_weights[r] / NT(right - left);
+      m_weights[r] = carried + NT(NT(x.weight * right) - x.value) * quotient;
+      carried = NT(x.value - NT(x.weight * left)) * quotient;
+    }
+    m_weights[level] = carried;
+  }
+
+  const std::vector<NT>& weights() const { return m_weights; }
+};
+
+// The weights for all arguments at once, `argument(i)` for i < d.
 template <class NT, class Argument>
 std::vector<NT> blossom_weights(const Knot_axis<NT>& axis, std::size_t span, const Argument& argument)
 {
-  std::vector<NT> weights(1, NT(1));
-  for (int level = 1; level <= axis.degree; ++level) {
-    const Blossom_argument<NT> x = argument(level - 1);
-    weights.push_back(NT(0));
-    NT carried(0);
-    for (int r = 0; r < level; ++r) {
-      const NT& right = axis.knots[span + r + 1];
-      const NT& left = axis.knots[span + r + 1 - level];
-      const NT quotient = weights[r] / NT(right - left);
-      weights[r] = carried + NT(NT(x.weight * right) - x.value) * quotient;
-      carried = NT(x.value - NT(x.weight * left)) * quotient;
-    }
-    weights[level] = carried;
-  }
-  return weights;
+  Blossom_weights<NT> result(axis, span);
+  for (int i = 0; i < axis.degree; ++i)
+    result.add(argument(i));
+  return result.weights();
 }
 
 // The derivative of some order at a parameter, as weights of the control points of a span.
@@ -174,10 +196,15 @@ Row_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<Br
   auto result = Row_matrix<NT>::band(axis.size(), static_cast<std::size_t>(axis.degree) + 1);
   for (std::size_t c = 0; c + 1 < breaks.size(); ++c) {
     const std::size_t span = span_of(axis, breaks[c].value);
-    for (int k = 0; k <= axis.degree; ++k)
-      result.add_row(span - axis.degree, blossom_weights(axis, span, [&](int i) {
-        return Blossom_argument<NT>{i < axis.degree - k ? breaks[c].value : breaks[c + 1].value, NT(1)};
-      }));
+    std::vector<Blossom_weights<NT>> at_begin(1, Blossom_weights<NT>(axis, span));   // with as many arguments as their index says
+    for (int i = 0; i < axis.degree; ++i)
+      at_begin.emplace_back(at_begin.back()).add({breaks[c].value});
+    for (int k = 0; k <= axis.degree; ++k) {
+      Blossom_weights<NT>& row = at_begin[axis.degree - k];
+      for (int i = 0; i < k; ++i)
+        row.add({breaks[c + 1].value});
+      result.add_row(span - axis.degree, row.weights());
+    }
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
+#include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
@@ -212,17 +213,28 @@ private:
   std::vector<Task> tasks_of_cells()
   {
     std::vector<Exact_rational> lower, upper;
-    double cells = 1;
     for (int v = 0; v < m_layout.dimension; ++v) {
       lower.push_back(m_system.domain(v).first);
       upper.push_back(m_system.domain(v).second);
-      cells *= source().breaks(v).empty() ? 1.0 : static_cast<double>(source().breaks(v).size()) - 1;
     }
+    const std::vector<Cell> cells = possible_cells();
     std::vector<Task> tasks;
-    visit_cell_boxes<Coordinate>(source(), lower, upper, m_options.precision, [&](const auto& cell, const auto& part_lower, const auto& part_upper) {
-      tasks.push_back(Walk::make_task(cell, part_lower, part_upper, 1 / cells));
-    });
+    for (const Cell& cell : cells) {
+      const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source(), cell, lower, upper, m_options.precision);
+      tasks.push_back(Walk::make_task(cell, part_lower, part_upper, 1.0 / static_cast<double>(cells.size())));
+    }
     return tasks;
+  }
+
+  // In the order of the grid.
+  std::vector<Cell> possible_cells()
+  {
+    if (!source().has_breaks())
+      return {Cell(m_layout.dimension, 0)};
+    std::vector<Cell> cells;
+    Cell_pyramid(m_system, source().breaks()).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
+    std::sort(cells.begin(), cells.end());
+    return cells;
   }
 
   // Takes the tasks that are not for this round. Where boxes stay open, as on a continuum, rounds are small: the number of open boxes tells the next ones how coarse they may be.

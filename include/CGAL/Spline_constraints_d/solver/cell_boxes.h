@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -51,22 +50,32 @@ std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const
   }
 }
 
+// The part of a box in a cell, up to the rounding to dyadic ends.
+template <class Coordinate>
+std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const Exact_source& source, const Cell& cell, const std::vector<Exact_rational>& lower,
+                                                                         const std::vector<Exact_rational>& upper, int bits)
+{
+  std::vector<Coordinate> part_lower, part_upper;
+  for (std::size_t v = 0; v < lower.size(); ++v) {
+    const std::vector<Exact_rational>& breaks = source.breaks(static_cast<int>(v));
+    const bool has_breaks = breaks.size() > 2;
+    const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
+    const Exact_rational begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
+    const Exact_rational end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
+    const auto [from, to] = dyadic_hull<Coordinate>(begin, end, bits);
+    part_lower.push_back(from);
+    part_upper.push_back(to);
+  }
+  return {part_lower, part_upper};
+}
+
 // Calls visit(cell, lower, upper) for every cell that a box meets, with the part of the box in that cell.
 template <class Coordinate, class Visitor>
 void visit_cell_boxes(Exact_source& source, const std::vector<Exact_rational>& lower, const std::vector<Exact_rational>& upper, int bits,
                       const Visitor& visit)
 {
-  const std::size_t n = lower.size();
-  std::vector<Coordinate> part_lower(n), part_upper(n);
   source.visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
-    for (std::size_t v = 0; v < n; ++v) {
-      const std::vector<Exact_rational>& breaks = source.breaks(static_cast<int>(v));
-      const bool has_breaks = breaks.size() > 2;
-      const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
-      const Exact_rational begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
-      const Exact_rational end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
-      std::tie(part_lower[v], part_upper[v]) = dyadic_hull<Coordinate>(begin, end, bits);
-    }
+    const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source, cell, lower, upper, bits);
     visit(cell, part_lower, part_upper);
   });
 }
