@@ -5,11 +5,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_CURVE_TEST_H
 
 #include <CGAL/Spline_constraints_d/solver/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_graph_test.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 #include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
-#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,8 @@ namespace internal {
 /*
 Tells whether a node looks like a piece of a curve of solutions of at least as many equalities as unknowns, f = 0.
 
-Gauss-Jordan elimination of the Jacobian at the middle makes g = T f, whose first n - 1 rows are solved for all unknowns but one, the parameter. When their derivatives by these unknowns, bounded on all
-of the node, differ from the identity by less than one in the row sums, then for each value of the parameter at most one point of the node makes these rows zero (the graph test for curves):
-it is proved that the solutions in the node have at most dimension one. That the other rows are zero all along the curve is not proved but tried at a few points.
+With g = T f of the graph test, where its first n - 1 rows are zero on a graph over one unknown, it is proved that the solutions in the node have at most dimension one. That the other rows are zero all
+along the curve is not proved but tried at a few points.
 
 The test is made on a box that is not thinner on any axis than a quarter of the widest one: in a thin box the unknowns of short ranges look as if they did not matter.
 */
@@ -41,14 +40,14 @@ class Solution_curve_test
   Exact_source& m_source;
   Node_analysis<NT> m_analysis;
   Box_node<NT> m_node;
-  std::vector<double> m_middle, m_radius, m_rows, m_transform, m_place, m_value;
-  std::vector<int> m_row;   // of g, per unknown; -1: the parameter
+  Curve_graph_test m_graph;
+  std::vector<double> m_place, m_value;
   std::vector<Exact_source::Value> m_values;
   double m_resolution = 0;   // of places in the node
 
 public:
   Solution_curve_test(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
-    : m_layout(layout), m_source(source), m_analysis(layout, source, summary, tracks_rounding)
+    : m_layout(layout), m_source(source), m_analysis(layout, source, summary, tracks_rounding), m_graph(layout.dimension, layout.equalities)
   {
     m_node.allocate(layout);
   }
@@ -56,16 +55,15 @@ public:
   // Whether the Jacobian may be singular in a node, as it is along a curve of solutions: cheap, and no for most nodes beside regular roots.
   bool may_be_singular(Node_view& view)
   {
-    if (!eliminate(view))
+    if (!m_graph.eliminate(view))
       return true;
-    const int length = n() + m();
-    const int free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());
+    const int free = m_graph.parameter();
     for (int i = n() - 1; i < m(); ++i) {
       double reach = 0;   // of what is left of the row, where the other rows may be a few times their distance from the identity away
       for (int j = 0; j < n(); ++j)
         for (int l = 0; l < m(); ++l)
-          reach += std::abs(m_transform[i * m() + l]) * m_radius[l * n() + j] * (j == free ? 1 : 2 * std::abs(m_rows[m_row[j] * length + free]));
-      if (std::abs(m_rows[i * length + free]) > reach)
+          reach += std::abs(m_graph.transform(i, l)) * m_graph.radius(l, j) * (j == free ? 1 : 2 * std::abs(m_graph.derivative(m_graph.row_of(j), free)));
+      if (std::abs(m_graph.derivative(i, free)) > reach)
         return false;
     }
     return true;
@@ -80,7 +78,7 @@ public:
       m_analysis.look_at(m_node);
     } else
       m_node.scale = node.scale;
-    return eliminate(is_thin ? m_analysis.view : view) && is_graph() && are_zero_along_graph(cell);
+    return m_graph.eliminate(is_thin ? m_analysis.view : view) && m_graph.is_graph() && are_zero_along_graph(cell);
   }
 
 private:
@@ -105,54 +103,6 @@ private:
     return is_thin;
   }
 
-  bool eliminate(Node_view& view)
-  {
-    m_middle.resize(m() * n());
-    m_radius.resize(m() * n());
-    for (int i = 0; i < m(); ++i)
-      for (int j = 0; j < n(); ++j) {
-        const double lower = view.derivative_lower(i)[j], upper = view.derivative_upper(i)[j];
-        m_middle[i * n() + j] = 0.5 * (lower + upper);
-        m_radius[i * n() + j] = 0.5 * (upper - lower);
-      }
-    const int length = n() + m();
-    m_rows.assign(m() * length, 0.0);   // (J | I)
-    for (int i = 0; i < m(); ++i) {
-      std::copy_n(m_middle.begin() + i * n(), n(), m_rows.begin() + i * length);
-      m_rows[i * length + n() + i] = 1;
-    }
-    m_row = gauss_jordan(m_rows, length, n(), n() - 1, [](double x) { return std::abs(x); });
-    if (m_row.empty())
-      return false;
-    m_transform.resize(m() * m());
-    for (int i = 0; i < m(); ++i)
-      std::copy_n(m_rows.begin() + i * length + n(), m(), m_transform.begin() + i * m());
-    return true;
-  }
-
-  bool is_graph() const
-  {
-    constexpr double rounding = 1e-9;
-    for (int i = 0; i + 1 < n(); ++i) {
-      double difference = 0, size = 0;
-      for (int j = 0; j < n(); ++j) {
-        if (m_row[j] < 0)
-          continue;
-        double sum = m_row[j] == i ? -1 : 0, radius = 0;
-        for (int l = 0; l < m(); ++l) {
-          const double factor = m_transform[i * m() + l];
-          sum += factor * m_middle[l * n() + j];
-          radius += std::abs(factor) * m_radius[l * n() + j];
-          size += std::abs(factor * m_middle[l * n() + j]);
-        }
-        difference += std::abs(sum) + radius;
-      }
-      if (!(difference + rounding * size < 1))
-        return false;
-    }
-    return true;
-  }
-
   // The rows that the curve does not make zero are zero, up to rounding, at two points of it at least, and nowhere else where it was tried.
   bool are_zero_along_graph(const Cell& cell)
   {
@@ -160,7 +110,7 @@ private:
     for (const double parameter : {-0.41, -0.13, 0.17, 0.38}) {
       m_place.assign(n(), 0);
       for (int j = 0; j < n(); ++j)
-        if (m_row[j] < 0)
+        if (j == m_graph.parameter())
           m_place[j] = parameter;
       const bool is_found = move_to_graph(cell);
       if (is_found && (!are_zero(64 * m_resolution) || (zeros == 0 && !are_zero_exactly(cell))))
@@ -185,9 +135,9 @@ private:
       evaluate(cell, std::span<const Coordinate>(point));
       double longest = 0;
       for (int j = 0; j < n(); ++j)
-        if (m_row[j] >= 0) {
-          m_place[j] -= m_value[m_row[j]];
-          longest = (std::max)(longest, std::abs(m_value[m_row[j]]));
+        if (const int row = m_graph.row_of(j); row >= 0) {
+          m_place[j] -= m_value[row];
+          longest = (std::max)(longest, std::abs(m_value[row]));
           if (!(std::abs(m_place[j]) < 0.6))
             return false;
         }
@@ -207,7 +157,7 @@ private:
       const long exponent = (std::max)(-3000L, (std::min)(m_values[l].exponent - m_node.scale[l], 3000L));
       const double value = std::ldexp(m_values[l].mantissa, static_cast<int>(exponent));
       for (int i = 0; i < m(); ++i)
-        m_value[i] += m_transform[i * m() + l] * value;
+        m_value[i] += m_graph.transform(i, l) * value;
     }
   }
 
@@ -227,9 +177,9 @@ private:
       evaluate(cell, std::span<const Exact_rational>(point));
       double longest = 0;
       for (int j = 0; j < n(); ++j)
-        if (m_row[j] >= 0) {
-          point[j] = stepped(point[j], -m_value[m_row[j]] * widths[j], finest);
-          longest = (std::max)(longest, std::abs(m_value[m_row[j]]));
+        if (const int row = m_graph.row_of(j); row >= 0) {
+          point[j] = stepped(point[j], -m_value[row] * widths[j], finest);
+          longest = (std::max)(longest, std::abs(m_value[row]));
         }
       if (longest < std::ldexp(1.0, 8 - bits))
         return are_zero(std::ldexp(1.0, 32 - bits));
@@ -244,7 +194,7 @@ private:
       double size = 0;
       for (int l = 0; l < m(); ++l)
         for (int j = 0; j < n(); ++j)
-          size += std::abs(m_transform[i * m() + l] * m_middle[l * n() + j]);
+          size += std::abs(m_graph.transform(i, l) * m_graph.middle(l, j));
       if (!(std::abs(m_value[i]) <= rounding * size))
         return false;
     }

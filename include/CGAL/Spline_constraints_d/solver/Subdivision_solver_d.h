@@ -70,7 +70,7 @@ Subdivision_solver_d<Traits, Concurrency_tag>::operator()(const Constraint_syste
   const int n = system.dimension();
   if (static_cast<int>(system.equalities().size()) < n)
     throw Invalid_input("Subdivision_solver_d: " + std::to_string(system.equalities().size()) + " equalities for " +
-                        std::to_string(n) + " unknowns; solution sets of positive dimension are not supported");
+                        std::to_string(n) + " unknowns; for curves of solutions see solve_curves()");
 
   [[maybe_unused]] const typename Number_traits<Number_type>::Rounding_guard guard;
   [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);

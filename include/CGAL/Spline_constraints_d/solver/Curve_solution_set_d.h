@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLUTION_SET_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLUTION_SET_D_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value.
+*/
+struct Curve_vertex
+{
+  using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
+
+  //! a box that is proved to hold the point; the range of an unknown whose value is known exactly is one number.
+  Exact_box box;
+
+  //! whether the point lies on the boundary of the domain.
+  bool is_on_boundary;
+
+  //! the middle of the box, rounded to doubles.
+  std::vector<double> point() const
+  {
+    std::vector<double> result;
+    for (const auto& [lower, upper] : box)
+      result.push_back(to_nearest_double(Exact_rational((lower + upper) / 2)));
+    return result;
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+A piece of a curve of solutions between two vertices. In its box the solutions are a graph over one of the unknowns: for each value of it between those of the two ends the box holds exactly one
+solution that belongs to the piece, and no other one.
+*/
+struct Curve_piece
+{
+  //! the box.
+  Curve_vertex::Exact_box box;
+
+  //! the unknown that the piece is a graph over.
+  int parameter;
+
+  //! indices of the vertices at its two ends, in the order along the curve.
+  std::array<std::size_t, 2> ends;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+A connected curve of solutions: a chain of pieces, each of which begins where the one before ends.
+*/
+struct Solution_curve
+{
+  //! the pieces, along the curve.
+  std::vector<Curve_piece> pieces;
+
+  //! whether the last piece ends where the first one begins, which is a regular point.
+  bool is_closed;
+
+  //! indices of the vertices along the curve; of a closed curve the first one is not repeated.
+  std::vector<std::size_t> vertices() const
+  {
+    std::vector<std::size_t> result;
+    for (const Curve_piece& piece : pieces)
+      result.push_back(piece.ends[0]);
+    if (!is_closed)
+      result.push_back(pieces.back().ends[1]);
+    return result;
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point, as a rule, where curves cross or end.
+*/
+struct Undecided_region
+{
+  //! boxes that are connected.
+  std::vector<Curve_vertex::Exact_box> boxes;
+
+  //! indices of the vertices where curves reach the region.
+  std::vector<std::size_t> vertices;
+
+  //! why it is undecided.
+  Undecided_reason reason;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+All solutions of a system with one equality less than unknowns: curves, whose topology is proved.
+*/
+class Curve_solution_set_d
+{
+  std::vector<Curve_vertex> m_vertices;
+  std::vector<Solution_curve> m_curves;
+  std::vector<std::size_t> m_points;
+  std::vector<Undecided_region> m_undecided;
+  Summary m_summary;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<Undecided_region> undecided, const Summary& summary)
+    : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)), m_undecided(std::move(undecided)), m_summary(summary)
+  {}
+#endif
+
+  //! the curves. An open curve ends on the boundary of the domain or at an undecided region.
+  const std::vector<Solution_curve>& curves() const { return m_curves; }
+
+  //! the vertices of all curves, which pieces refer to by their indices.
+  const std::vector<Curve_vertex>& vertices() const { return m_vertices; }
+
+  //! solutions without others near them: points where a curve only touches the domain from outside.
+  const std::vector<std::size_t>& points() const { return m_points; }
+
+  //! where nothing is proved.
+  const std::vector<Undecided_region>& undecided() const { return m_undecided; }
+
+  //! number of closed curves.
+  std::size_t number_of_closed_curves() const
+  {
+    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Solution_curve& curve) { return curve.is_closed; }));
+  }
+
+  //! number of curves that are not closed.
+  std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
+
+  //! whether all solutions lie on the curves and points, by proof: nothing is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the work.
+  const Summary& summary() const { return m_summary; }
+};
+
+//! \ingroup PkgSplineConstraintsDSolver
+//! writes one line: the numbers of curves and of undecided regions.
+inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
+{
+  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, " << set.undecided().size() << " undecided; complete: "
+             << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds " << set.summary().seconds;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLUTION_SET_D_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H
+
+#include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_chains.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are subdivided.
+class All_curves
+{
+  const Constraint_system_d& m_system;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  Summary m_summary;
+  Curve_vertices m_vertices;
+  std::vector<Curve_piece> m_pieces;
+  std::vector<Undecided_box> m_undecided;
+  std::vector<std::vector<Exact_rational>> m_breaks;
+  std::vector<double> m_widths;
+
+public:
+  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control) : m_system(system), m_options(options), m_control(control), m_vertices(options) {}
+
+  Curve_solution_set_d operator()()
+  {
+    Exact_ranges domain;
+    for (int v = 0; v < m_system.dimension(); ++v) {
+      domain.push_back(m_system.domain(v));
+      m_widths.push_back(CGAL::to_double(Exact_rational(domain[v].second - domain[v].first)));
+    }
+    const std::vector<Cell> cells = possible_cells();
+    if (!cells.empty()) {
+      const Vertex_indices vertices = vertices_on_boundary(domain);
+      split_cells(domain, cells, vertices);
+    }
+    m_summary.nodes += m_vertices.work().nodes;
+    m_summary.seconds = m_control.seconds();
+    return Curve_chains(domain, m_vertices, std::move(m_pieces), std::move(m_undecided)).solution_set(m_summary);
+  }
+
+private:
+  std::vector<Cell> possible_cells()
+  {
+    const System_layout layout(m_system);
+    const Exact_source source(m_system, layout);
+    m_breaks = source.breaks();
+    std::vector<Cell> cells;
+    Cell_pyramid(m_system, m_breaks).visit_possible_cells([&](const Cell& cell) { cells.push_back(cell); });
+    return cells;
+  }
+
+  Vertex_indices vertices_on_boundary(const Exact_ranges& domain)
+  {
+    Vertex_indices result;
+    for (int axis = 0; axis < m_system.dimension(); ++axis)
+      for (const Exact_rational& end : {domain[axis].first, domain[axis].second}) {
+        const auto on_face = m_vertices.on_plane(m_system, domain, axis, end, result, false);
+        for (const std::size_t i : *on_face)
+          if (std::find(result.begin(), result.end(), i) == result.end())
+            result.push_back(i);
+      }
+    return result;
+  }
+
+  // Cuts the cells in two groups along a break, until there is one cell.
+  void split_cells(const Exact_ranges& box, const std::vector<Cell>& cells, const Vertex_indices& vertices)
+  {
+    const auto [axis, index] = middle_break(box);
+    if (axis < 0) {
+      Curve_subdivision(m_system, box, m_widths, m_options, m_control, m_summary, m_vertices, m_pieces, m_undecided).run(box, vertices);
+      return;
+    }
+    const Exact_rational value = m_breaks[axis][index];
+    const Vertex_indices on_plane = *m_vertices.on_plane(m_system, box, axis, value, vertices, false);
+    for (const bool is_upper : {false, true}) {
+      Exact_ranges part = box;
+      (is_upper ? part[axis].first : part[axis].second) = value;
+      std::vector<Cell> own;
+      std::copy_if(cells.begin(), cells.end(), std::back_inserter(own), [&, axis = axis, index = index](const Cell& cell) { return (cell[axis] >= static_cast<int>(index)) == is_upper; });
+      if (own.empty())
+        continue;
+      Vertex_indices known = on_plane;
+      for (const std::size_t i : vertices)
+        if (std::find(on_plane.begin(), on_plane.end(), i) == on_plane.end()) {
+          const auto& [lower, upper] = m_vertices[i].box[axis];
+          if (is_upper ? value < upper : lower < value)
+            known.push_back(i);
+        }
+      split_cells(part, own, known);
+    }
+  }
+
+  // The axis with the most cells in a box, and the break in the middle of them; -1 when there is one cell only.
+  std::pair<int, std::size_t> middle_break(const Exact_ranges& box) const
+  {
+    std::pair<int, std::size_t> result(-1, 0);
+    std::size_t most = 0;
+    for (int v = 0; v < m_system.dimension(); ++v) {
+      const auto first = std::upper_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].first), last = std::lower_bound(m_breaks[v].begin(), m_breaks[v].end(), box[v].second);
+      if (first < last && static_cast<std::size_t>(last - first) > most) {
+        most = static_cast<std::size_t>(last - first);
+        result = {v, static_cast<std::size_t>(first - m_breaks[v].begin()) + most / 2};
+      }
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+all solutions of a system with one equality less than unknowns: curves, with their topology by proof.
+
+The domain is cut into boxes. The points where curves cross the cutting planes are solutions of systems with one unknown less, which `Subdivision_solver_d` finds with their proofs, once for the boxes on
+both sides. A box is dropped when it is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is no closed curve inside, and the order of the points
+on its boundary tells how they are joined. So no curve is lost, however small, nothing is joined by distance, and a curve is closed when its pieces are.
+
+Where that does not succeed, as around singular points, small boxes are left undecided; those that touch are one region.
+
+\param system the constraints; one equality less than unknowns, no inequalities.
+\param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.
+\throws Invalid_input when the number of equalities is another one, there are inequalities, the range of an unknown is one number, or an option makes no sense.
+
+Source: seed 001, section 2 (the curves); the graph test in the place of a tracing by steps.
+*/
+inline Curve_solution_set_d solve_curves(const Constraint_system_d& system, const Solver_options& options = {.tolerance = 1e-8})
+{
+  options.check();
+  const int n = system.dimension();
+  if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
+    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
+  if (!system.inequalities().empty())
+    throw Invalid_input("solve_curves: inequalities are not supported");
+  for (int v = 0; v < n; ++v)
+    if (!(system.domain(v).first < system.domain(v).second))
+      throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
+  Default_solver_visitor visitor;
+  internal::Run_control control(visitor, options);
+  return internal::All_curves(system, options, control)();
+}
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+all curves of solutions of constraints written as formulas: `solve_curves(x*x + y*y + z*z == 4, square(x - 1) + y*y == 1)`.
+\throws Invalid_input as `make_system()` and the function above.
+*/
+template <std::same_as<Constraint>... Constraints>
+Curve_solution_set_d solve_curves(const Constraint& first, const Constraints&... others)
+{
+  const std::array<Constraint, 1 + sizeof...(others)> constraints{first, others...};
+  return solve_curves(make_system(constraints));
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H
+
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Finds the points of pieces for given values of their parameters.
+class Curve_sampler
+{
+  using Point = std::vector<double>;
+
+  const Constraint_system_d& m_system;
+  System_layout m_layout;
+  Exact_source m_source;
+  std::vector<Exact_source::Value> m_values;
+  double m_error;
+
+public:
+  Curve_sampler(const Constraint_system_d& system, double error) : m_system(system), m_layout(m_system), m_source(m_system, m_layout), m_error(error) {}
+
+  // Appends the points of a piece behind `from`, until the middles of chords are near the curve; `to` is the last one.
+  void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, int depth = 0)
+  {
+    constexpr int least_depth = 1, most_depth = 20;
+    Point middle(from.size());
+    for (std::size_t j = 0; j < from.size(); ++j)
+      middle[j] = 0.5 * (from[j] + to[j]);
+    const Point point = on_curve(piece, middle);
+    double distance = 0;
+    for (std::size_t j = 0; j < from.size(); ++j)
+      distance = std::hypot(distance, point[j] - middle[j]);
+    if (depth >= most_depth || (depth >= least_depth && distance <= m_error)) {
+      points.push_back(to);
+      return;
+    }
+    append(points, piece, from, point, depth + 1);
+    append(points, piece, point, to, depth + 1);
+  }
+
+private:
+  int n() const { return m_system.dimension(); }
+
+  // The point of a piece with the same parameter as one near it. Where Newton's method does not find it, the solver does.
+  Point on_curve(const Curve_piece& piece, const Point& near)
+  {
+    Point result = near;
+    if (move_to_curve(piece.parameter, result) && is_in(piece.box, result))
+      return result;
+    const auto slice = Subdivision_solver_d<Certified_solver_traits>()(on_plane(m_system, piece.box, piece.parameter, Exact_rational(near[piece.parameter])));
+    if (slice.empty())
+      return near;   // beside the end of the piece, since the ends are rounded
+    result = slice.begin()->point();
+    result.insert(result.begin() + piece.parameter, near[piece.parameter]);
+    return result;
+  }
+
+  static bool is_in(const Exact_ranges& box, const Point& point)
+  {
+    for (std::size_t j = 0; j < point.size(); ++j)
+      if (point[j] < to_double_interval(box[j].first).first || to_double_interval(box[j].second).second < point[j])
+        return false;
+    return true;
+  }
+
+  // Newton's method with exact values, and differences of these for derivatives.
+  bool move_to_curve(int parameter, Point& point)
+  {
+    constexpr int most_steps = 12;
+    for (int step = 0; step < most_steps; ++step) {
+      const std::vector<double> values = values_at(point);
+      const std::size_t length = static_cast<std::size_t>(n());   // n - 1 unknowns and the values
+      std::vector<double> rows((length - 1) * length);
+      double size = 0;
+      for (int j = 0, column = 0; j < n(); ++j) {
+        if (j == parameter)
+          continue;
+        size = (std::max)(size, std::abs(point[j]));
+        Point moved = point;
+        moved[j] += 0x1p-20 * (std::max)(std::abs(point[j]), 0x1p-10);
+        const double distance = moved[j] - point[j];
+        const std::vector<double> other = values_at(moved);
+        for (std::size_t i = 0; i + 1 < length; ++i)
+          rows[i * length + column] = (other[i] - values[i]) / distance;
+        ++column;
+      }
+      for (std::size_t i = 0; i + 1 < length; ++i)
+        rows[i * length + length - 1] = values[i];
+      const std::vector<int> row_of = gauss_jordan(rows, length, length - 1, length - 1, [](double x) { return std::abs(x); });
+      if (row_of.empty())
+        return false;
+      double longest = 0;
+      for (int j = 0, column = 0; j < n(); ++j)
+        if (j != parameter) {
+          const double change = rows[row_of[column++] * length + length - 1];
+          point[j] -= change;
+          longest = (std::max)(longest, std::abs(change));
+        }
+      if (!std::isfinite(longest))
+        return false;
+      if (longest <= 0x1p-50 * (std::max)(size, 0x1p-20))
+        return true;
+    }
+    return false;
+  }
+
+  // Of the equalities, up to a power of two.
+  std::vector<double> values_at(const Point& point)
+  {
+    constexpr long largest_exponent = 900;
+    m_source.evaluate(m_source.cell_of(std::span<const double>(point)), std::span<const double>(point), m_values);
+    std::vector<double> result;
+    for (const Exact_source::Value& value : m_values)
+      result.push_back(std::ldexp(value.mantissa, static_cast<int>((std::max)(-largest_exponent, (std::min)(value.exponent, largest_exponent)))));
+    return result;
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+points along a curve of solutions: its vertices, and between them so many others that the curve passes the middle of each chord at no more than a given distance. Every one is a solution up to rounding:
+the points between vertices are found by Newton's method in the boxes of the pieces, where they are unique. Consecutive points of a closed curve begin and end with the same one.
+
+\param system the system that was solved.
+\param set its solutions.
+\param curve one of their curves.
+\param error the distance, in the space of the unknowns; positive.
+\throws Invalid_input when the distance is not positive.
+*/
+inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double error)
+{
+  if (!(error > 0))
+    throw Invalid_input("to_polyline: the error must be positive");
+  internal::Curve_sampler sampler(system, error);
+  std::vector<std::vector<double>> result{set.vertices()[curve.pieces.front().ends[0]].point()};
+  for (const Curve_piece& piece : curve.pieces)
+    sampler.append(result, piece, std::vector<double>(result.back()), set.vertices()[piece.ends[1]].point());
+  return result;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H

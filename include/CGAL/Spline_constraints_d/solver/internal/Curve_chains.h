@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_CHAINS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_CHAINS_H
+
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Joins pieces that share vertices to curves, and undecided boxes that touch to regions.
+class Curve_chains
+{
+  const Exact_ranges& m_domain;
+  const Curve_vertices& m_points;
+  std::vector<Curve_piece> m_pieces;
+  std::vector<Undecided_box> m_boxes;
+  std::vector<std::vector<std::size_t>> m_pieces_at;   // per vertex
+  std::vector<bool> m_is_used;                         // per piece
+
+public:
+  Curve_chains(const Exact_ranges& domain, const Curve_vertices& points, std::vector<Curve_piece> pieces, std::vector<Undecided_box> boxes)
+    : m_domain(domain), m_points(points), m_pieces(std::move(pieces)), m_boxes(std::move(boxes)), m_pieces_at(points.size()), m_is_used(m_pieces.size(), false)
+  {
+    for (std::size_t p = 0; p < m_pieces.size(); ++p)
+      for (const std::size_t end : m_pieces[p].ends)
+        m_pieces_at[end].push_back(p);
+  }
+
+  Curve_solution_set_d solution_set(Summary summary)
+  {
+    std::vector<Undecided_region> undecided = regions();
+    std::vector<Solution_curve> curves = chains();
+    std::vector<Curve_vertex> vertices;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      vertices.push_back({m_points[i].box, is_on_boundary(i)});
+    if (!undecided.empty()) {
+      summary.is_complete = false;
+      summary.why_not = undecided.front().reason;
+    }
+    return Curve_solution_set_d(std::move(vertices), std::move(curves), isolated_points(undecided), std::move(undecided), summary);
+  }
+
+private:
+  bool is_on_boundary(std::size_t i) const
+  {
+    const Plane_point& point = m_points[i];
+    for (std::size_t j = 0; j < m_domain.size(); ++j)
+      if (point.is_fixed[j] && (point.box[j].first == m_domain[j].first || point.box[j].first == m_domain[j].second))
+        return true;
+    return false;
+  }
+
+  // A curve goes on through a vertex that two pieces share.
+  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2; }
+
+  std::vector<Solution_curve> chains()
+  {
+    std::vector<Solution_curve> result;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (!goes_on(i))
+        for (const std::size_t p : m_pieces_at[i])
+          if (!m_is_used[p])
+            result.push_back(chain(p, i));
+    for (std::size_t p = 0; p < m_pieces.size(); ++p)
+      if (!m_is_used[p])
+        result.push_back(chain(p, m_pieces[p].ends[0]));
+    return result;
+  }
+
+  Solution_curve chain(std::size_t piece, std::size_t vertex)
+  {
+    const std::size_t first = vertex;
+    Solution_curve result{{}, false};
+    for (;;) {
+      m_is_used[piece] = true;
+      result.pieces.push_back(m_pieces[piece]);
+      Curve_piece& last = result.pieces.back();
+      if (last.ends[0] != vertex)
+        std::swap(last.ends[0], last.ends[1]);
+      vertex = last.ends[1];
+      if (!goes_on(vertex))
+        return result;
+      const std::vector<std::size_t>& both = m_pieces_at[vertex];
+      const std::size_t next = both[0] == piece ? both[1] : both[0];
+      if (m_is_used[next]) {
+        result.is_closed = vertex == first;
+        return result;
+      }
+      piece = next;
+    }
+  }
+
+  static bool touch(const Exact_ranges& a, const Exact_ranges& b)
+  {
+    for (std::size_t j = 0; j < a.size(); ++j)
+      if (a[j].second < b[j].first || b[j].second < a[j].first)
+        return false;
+    return true;
+  }
+
+  std::vector<Undecided_region> regions() const
+  {
+    std::vector<std::size_t> root(m_boxes.size());
+    std::iota(root.begin(), root.end(), 0);
+    for (std::size_t i = 0; i < m_boxes.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (root[i] != root[k] && touch(m_boxes[i].box, m_boxes[k].box))
+          std::replace(root.begin(), root.end(), std::size_t(root[k]), std::size_t(root[i]));
+    std::vector<Undecided_region> result;
+    for (std::size_t r = 0; r < m_boxes.size(); ++r) {
+      Undecided_region region{{}, {}, m_boxes[r].reason};
+      for (std::size_t i = 0; i < m_boxes.size(); ++i)
+        if (root[i] == r) {
+          region.boxes.push_back(m_boxes[i].box);
+          region.vertices.insert(region.vertices.end(), m_boxes[i].vertices.begin(), m_boxes[i].vertices.end());
+        }
+      // Vertices between two boxes of the region are not where a curve reaches it.
+      std::sort(region.vertices.begin(), region.vertices.end());
+      region.vertices.erase(std::unique(region.vertices.begin(), region.vertices.end()), region.vertices.end());
+      std::erase_if(region.vertices, [&](std::size_t i) { return m_pieces_at[i].empty(); });
+      if (!region.boxes.empty())
+        result.push_back(std::move(region));
+    }
+    return result;
+  }
+
+  // Vertices without pieces that no undecided region holds.
+  std::vector<std::size_t> isolated_points(const std::vector<Undecided_region>&) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      const auto holds_it = [&](const Undecided_box& box) { return std::find(box.vertices.begin(), box.vertices.end(), i) != box.vertices.end(); };
+      if (m_pieces_at[i].empty() && std::none_of(m_boxes.begin(), m_boxes.end(), holds_it))
+        result.push_back(i);
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_CHAINS_H

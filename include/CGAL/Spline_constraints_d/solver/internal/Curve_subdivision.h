@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_SUBDIVISION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_SUBDIVISION_H
+
+#include <CGAL/Spline_constraints_d/solver/Curve_graph_test.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
+#include <CGAL/Spline_constraints_d/solver/Run_control.h>
+#include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/splitters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Vertex_indices = std::vector<std::size_t>;
+
+// A box that was left undecided, with the vertices on its boundary.
+struct Undecided_box
+{
+  Exact_ranges box;
+  Vertex_indices vertices;
+  Undecided_reason reason;
+};
+
+/*
+The curves in one cell, where all functions are polynomials. The vertices on the boundary of a box are known before it is looked at: those on the plane that it is split along are found before it is split,
+and both halves get them. A box is finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that unknown are the ends of the pieces.
+*/
+class Curve_subdivision
+{
+  using Node = Box_node<double>;
+
+  const Constraint_system_d m_system;
+  const System_layout m_layout;
+  Exact_source m_source;
+  Summary& m_summary;
+  Node_analysis<double> m_analysis;
+  Curve_graph_test m_graph;
+  Smear_splitter m_splitter;
+  const Solver_options& m_options;
+  Run_control& m_control;
+  Curve_vertices& m_vertices;
+  std::deque<Node> m_nodes;   // per level; stays where it is
+  std::vector<double> m_domain_widths;
+  std::vector<Curve_piece>& m_pieces;
+  std::vector<Undecided_box>& m_undecided;
+
+public:
+  Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Summary& summary,
+                    Curve_vertices& vertices, std::vector<Curve_piece>& pieces, std::vector<Undecided_box>& undecided)
+    : m_system(on_cell(system, cell)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, true),
+      m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(vertices), m_domain_widths(domain_widths), m_pieces(pieces), m_undecided(undecided)
+  {}
+
+  void run(const Exact_ranges& cell, const Vertex_indices& vertices)
+  {
+    Node& root = level(0);
+    for (std::size_t j = 0; j < cell.size(); ++j)
+      std::tie(root.lower[j], root.upper[j]) = dyadic_hull<double>(cell[j].first, cell[j].second, 0);
+    m_source.set_home(Cell(cell.size(), 0), std::span<const double>(root.lower), std::span<const double>(root.upper));
+    m_analysis.rebuild(Cell(cell.size(), 0), root);
+    subdivide(0, cell, vertices, 0);
+    m_source.leave_home();
+  }
+
+private:
+  struct Split
+  {
+    int axis;
+    double place;   // between the ends of the node
+    Exact_rational value;
+    Vertex_indices vertices;
+  };
+
+  Node& level(std::size_t index)
+  {
+    while (m_nodes.size() <= index)
+      m_nodes.emplace_back().allocate(m_layout);
+    return m_nodes[index];
+  }
+
+  // The lower part of a split stays in its place, the upper part goes one level up and is finished first.
+  void subdivide(std::size_t index, Exact_ranges box, Vertex_indices vertices, int depth)
+  {
+    constexpr int rebuild_interval = 12;   // splits whose rounding errors do not matter yet
+    Node& node = level(index);
+    for (;;) {
+      if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
+        m_undecided.push_back({std::move(box), std::move(vertices), reason});
+        return;
+      }
+      ++m_summary.nodes;
+      m_summary.depth = (std::max)(m_summary.depth, depth);
+      if (depth > 0 && depth % rebuild_interval == 0)
+        m_analysis.rebuild(Cell(box.size(), 0), node);
+      m_analysis.look_at(node);
+      if (is_excluded())
+        return;
+      if (m_graph.eliminate(m_analysis.view)) {
+        if (m_graph.is_empty(m_analysis.view))
+          return;
+        if (m_graph.is_graph() && joined(box, vertices, m_graph.parameter()))
+          return;
+      }
+      std::optional<Split> split = split_of(node, box, vertices);
+      if (!split) {
+        m_undecided.push_back({std::move(box), std::move(vertices), Undecided_reason::TOLERANCE});
+        return;
+      }
+      ++depth;
+      node.split(m_layout, split->axis, split->place, level(index + 1));
+      const auto [below, above] = distributed(vertices, *split);
+      Exact_ranges upper_box = box;
+      upper_box[split->axis].first = box[split->axis].second = split->value;
+      subdivide(index + 1, std::move(upper_box), above, depth);
+      vertices = below;
+    }
+  }
+
+  Undecided_reason limit()
+  {
+    if (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit)
+      return Undecided_reason::NODES;
+    constexpr std::size_t poll_interval = 64;
+    return m_control.must_stop(m_summary.nodes % poll_interval == 0) ? m_control.reason() : Undecided_reason::NONE;
+  }
+
+  bool is_excluded()
+  {
+    for (int f = 0; f < m_layout.equalities; ++f)
+      if (m_analysis.view.lower(f) > 0 || m_analysis.view.upper(f) < 0)
+        return true;
+    return false;
+  }
+
+  // Those on the plane of a split belong to both parts.
+  std::pair<Vertex_indices, Vertex_indices> distributed(const Vertex_indices& vertices, const Split& split) const
+  {
+    std::pair<Vertex_indices, Vertex_indices> result{split.vertices, split.vertices};
+    for (const std::size_t i : vertices)
+      if (std::find(split.vertices.begin(), split.vertices.end(), i) == split.vertices.end())
+        (m_vertices[i].box[split.axis].second <= split.value ? result.first : result.second).push_back(i);
+    return result;
+  }
+
+  // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex. There are many planes through a small box that will do, unless it is too small.
+  std::optional<Split> split_of(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices)
+  {
+    for (const int axis : rated_axes(node))
+      for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256}) {
+        const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
+        if (value <= box[axis].first || box[axis].second <= value)
+          continue;
+        if (auto on_plane = m_vertices.on_plane(m_system, box, axis, value, vertices, true))
+          return Split{axis, place, value, std::move(*on_plane)};
+      }
+    return std::nullopt;
+  }
+
+  // The axes that can be split, the best one first.
+  std::vector<int> rated_axes(const Node& node)
+  {
+    constexpr double thinnest = 0.125;
+    const int n = m_layout.dimension;
+    std::vector<double> widths, rating;
+    double widest = 0;
+    for (int j = 0; j < n; ++j) {
+      widths.push_back((node.upper[j] - node.lower[j]) / m_domain_widths[j]);
+      widest = (std::max)(widest, widths.back());
+    }
+    m_splitter.rate(m_analysis.view, widths, rating);
+    std::vector<int> result;
+    for (int j = 0; j < n; ++j)
+      if (node.upper[j] - node.lower[j] > m_options.tolerance * (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}) && widths[j] >= thinnest * widest)
+        result.push_back(j);
+    std::stable_sort(result.begin(), result.end(), [&](int i, int j) { return rating[i] > rating[j] * (1 + 1e-9); });
+    return result;
+  }
+
+  /*
+  Makes the pieces in a box where the solutions are a graph over one unknown. At a regular point inside a face the curve goes through the face, so that it is in the box on just one side of the point, and
+  pieces begin and end at such points in turns. On edges of the box, and where the curve touches it, a slice between this vertex and the next one tells whether it is in the box.
+  False when the order of the vertices or a slice cannot be decided.
+  */
+  bool joined(const Exact_ranges& box, Vertex_indices vertices, int parameter)
+  {
+    const auto place = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& { return m_vertices[i].box[parameter]; };
+    std::sort(vertices.begin(), vertices.end(), [&](std::size_t i, std::size_t j) { return place(i).first < place(j).first; });
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      if (m_vertices[vertices[k]].kind == Plane_point::UNKNOWN || (k > 0 && place(vertices[k]).first <= place(vertices[k - 1]).second))
+        return false;
+    std::vector<Curve_piece> pieces;
+    bool is_inside = false;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      if (is_inside)
+        pieces.push_back({box, parameter, {vertices[k - 1], vertices[k]}});
+      const Plane_point& vertex = m_vertices[vertices[k]];
+      if (vertex.kind == Plane_point::REGULAR && vertex.planes() == 1)
+        is_inside = !is_inside;
+      else if (k + 1 == vertices.size())
+        is_inside = false;
+      else if (const std::optional<bool> answer = has_solution_between(box, parameter, place(vertices[k]).second, place(vertices[k + 1]).first))
+        is_inside = *answer;
+      else
+        return false;
+    }
+    if (is_inside)
+      return false;
+    m_pieces.insert(m_pieces.end(), pieces.begin(), pieces.end());
+    return true;
+  }
+
+  // Whether the box has solutions with an unknown between two values, all or none of which have one.
+  std::optional<bool> has_solution_between(const Exact_ranges& box, int unknown, const Exact_rational& lower, const Exact_rational& upper)
+  {
+    const Solution_set_d<double> slice = m_vertices.solve(on_plane(m_system, box, unknown, Exact_rational((lower + upper) / 2)));
+    if (slice.count(Solution_kind::CERTIFIED) > 0)
+      return true;
+    return slice.is_complete() && slice.empty() ? std::optional(false) : std::nullopt;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_SUBDIVISION_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_VERTICES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_VERTICES_H
+
+#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A solution on one or several planes, each of which fixes an unknown.
+struct Plane_point
+{
+  enum Kind { REGULAR, SINGULAR, UNKNOWN };   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
+
+  Kind kind;
+  Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
+  std::vector<bool> is_fixed;   // per unknown
+
+  std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
+};
+
+inline bool is_within(const Exact_ranges& inner, const Exact_ranges& outer)
+{
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j].first < outer[j].first || outer[j].second < inner[j].second)
+      return false;
+  return true;
+}
+
+/*
+The solutions on the planes that the domain is cut along, each once. Boxes on both sides of a plane share them, so that nothing is ever joined by its distance.
+
+A point may lie on several planes. This is decided exactly: the equations with both unknowns fixed are one more than the unknowns that are left.
+*/
+class Curve_vertices
+{
+  Subdivision_solver_d<Certified_solver_traits> m_solver;
+  std::vector<Plane_point> m_points;
+  Summary m_work;
+
+public:
+  explicit Curve_vertices(const Solver_options& options) : m_solver(options) {}
+
+  const Plane_point& operator[](std::size_t i) const { return m_points[i]; }
+  std::size_t size() const { return m_points.size(); }
+  const Summary& work() const { return m_work; }
+
+  Solution_set_d<double> solve(const Constraint_system_d& system)
+  {
+    Solution_set_d<double> result = m_solver(system);
+    m_work.nodes += result.summary().nodes;
+    return result;
+  }
+
+  /*
+  The indices of the points on a plane within a box, in whose boundary all known points lie. With `needs_regular` nothing, if there are others than regular points, or if the plane passes too close to a known
+  point that does not lie on it.
+  */
+  std::optional<std::vector<std::size_t>> on_plane(const Constraint_system_d& system, const Exact_ranges& box, int axis, const Exact_rational& value, const std::vector<std::size_t>& known,
+                                                   bool needs_regular)
+  {
+    const std::size_t before = m_points.size();
+    std::vector<std::size_t> result;
+    const Constraint_system_d plane = internal::on_plane(system, box, axis, value);
+    for (const Solution_d<double>& solution : solve(plane)) {
+      const std::optional<std::size_t> point = placed(plane, point_of(solution, axis, value), box, axis, known);
+      if (needs_regular && (solution.kind() != Solution_kind::CERTIFIED || !point)) {
+        m_points.resize(before);
+        return std::nullopt;
+      }
+      result.push_back(*point);
+    }
+    const auto is_near = [&](std::size_t i) {
+      return m_points[i].box[axis].first < value && value < m_points[i].box[axis].second && std::find(result.begin(), result.end(), i) == result.end();
+    };
+    if (needs_regular && std::any_of(known.begin(), known.end(), is_near)) {
+      m_points.resize(before);
+      return std::nullopt;
+    }
+    for (const std::size_t i : result)
+      fix(m_points[i], axis, value);
+    return result;
+  }
+
+private:
+  static Plane_point point_of(const Solution_d<double>& solution, int axis, const Exact_rational& value)
+  {
+    const Plane_point::Kind kind = solution.kind() == Solution_kind::CERTIFIED ? Plane_point::REGULAR : solution.kind() == Solution_kind::CLUSTER ? Plane_point::SINGULAR : Plane_point::UNKNOWN;
+    Plane_point result{kind, solution.exact_box(), solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), {}};
+    for (Exact_ranges* ranges : {&result.box, &result.region})
+      ranges->insert(ranges->begin() + axis, {value, value});
+    result.is_fixed.assign(result.box.size(), false);
+    return result;
+  }
+
+  static void fix(Plane_point& point, int axis, const Exact_rational& value)
+  {
+    point.box[axis] = {value, value};
+    point.is_fixed[axis] = true;
+  }
+
+  // The index of a point on a plane: of a known one, if both lie on an edge of the box and are the same; else it becomes known. Nothing if it cannot be told apart from what lies on an edge.
+  std::optional<std::size_t> placed(const Constraint_system_d& plane, Plane_point point, const Exact_ranges& box, int axis, const std::vector<std::size_t>& known)
+  {
+    std::vector<std::pair<int, Exact_rational>> edges;
+    for (int k = 0; k < static_cast<int>(box.size()); ++k)
+      for (const Exact_rational& end : {box[k].first, box[k].second})
+        if (k != axis && point.box[k].first <= end && end <= point.box[k].second) {
+          const std::vector<Exact_ranges> on_edge = points_on_edge(plane, point.box, axis, k, end);
+          const auto root = std::find_if(on_edge.begin(), on_edge.end(), [&](const Exact_ranges& x) { return is_within(x, point.region); });
+          if (root == on_edge.end())
+            continue;
+          for (const std::size_t i : known)
+            if (m_points[i].is_fixed[k] && m_points[i].box[k].first == end && is_within(*root, m_points[i].region))
+              return i;
+          edges.emplace_back(k, end);
+        }
+    for (const auto& [k, end] : edges)
+      fix(point, k, end);
+    m_points.push_back(std::move(point));
+    return m_points.size() - 1;
+  }
+
+  // The solutions near a point on a plane with another unknown fixed as well.
+  std::vector<Exact_ranges> points_on_edge(const Constraint_system_d& plane, Exact_ranges near, int axis, int unknown, const Exact_rational& value)
+  {
+    const Exact_rational fixed = near[axis].first;
+    const int reduced = unknown - (unknown > axis ? 1 : 0);
+    near.erase(near.begin() + axis);
+    for (int j = 0; j < plane.dimension(); ++j) {
+      near[j].first = (std::max)(near[j].first, plane.domain(j).first);
+      near[j].second = (std::min)(near[j].second, plane.domain(j).second);
+    }
+    std::vector<Exact_ranges> result;
+    const auto add = [&](Exact_ranges point) {
+      point.insert(point.begin() + reduced, {value, value});
+      point.insert(point.begin() + axis, {fixed, fixed});
+      result.push_back(std::move(point));
+    };
+    if (plane.dimension() == 1) {
+      if (is_zero_at(plane, value))
+        add({});
+      return result;
+    }
+    for (const Solution_d<double>& solution : solve(internal::on_plane(plane, near, reduced, value)))
+      if (solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER)
+        add(solution.exact_box());
+    return result;
+  }
+
+  static bool is_zero_at(const Constraint_system_d& line, const Exact_rational& value)
+  {
+    return std::all_of(line.equalities().begin(), line.equalities().end(), [&](const Spline_function& function) {
+      Exact_rational sum(0);
+      const Spline_function constant = with_fixed(function, 0, value);
+      for (const Spline_term& term : constant.terms())
+        sum += term.pieces[0][0];
+      return sum == Exact_rational(0);
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_VERTICES_H

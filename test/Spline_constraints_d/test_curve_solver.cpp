@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Curves of solutions: numbers of components, open and closed ones, and where they end; known curves, planted circles in 2, 3 and 4 unknowns, splines with breaks in awkward places.
+
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using Rational = SC::Exact_rational;
+using SC::Power_polynomial;
+using SC::unknowns;
+
+namespace {
+
+// What holds of every answer: pieces are chained, ends lie in their boxes, vertices inside the domain belong to two pieces.
+void check_chains(const SC::Curve_solution_set_d& set)
+{
+  std::vector<int> uses(set.vertices().size(), 0);
+  for (const SC::Solution_curve& curve : set.curves()) {
+    ASSERT_FALSE(curve.pieces.empty());
+    for (std::size_t p = 0; p < curve.pieces.size(); ++p) {
+      const SC::Curve_piece& piece = curve.pieces[p];
+      EXPECT_TRUE(p == 0 || piece.ends[0] == curve.pieces[p - 1].ends[1]);
+      for (const std::size_t end : piece.ends) {
+        ++uses[end];
+        const SC::Curve_vertex& vertex = set.vertices()[end];
+        for (std::size_t j = 0; j < vertex.box.size(); ++j) {
+          EXPECT_LE(piece.box[j].first, vertex.box[j].second);
+          EXPECT_LE(vertex.box[j].first, piece.box[j].second);
+        }
+      }
+      const auto place = [&](std::size_t end) { return set.vertices()[piece.ends[end]].box[piece.parameter]; };
+      EXPECT_TRUE(place(0).second < place(1).first || place(1).second < place(0).first);
+    }
+    EXPECT_TRUE(!curve.is_closed || curve.pieces.back().ends[1] == curve.pieces.front().ends[0]);
+  }
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    EXPECT_TRUE(!set.is_complete() || uses[i] == 2 || set.vertices()[i].is_on_boundary);
+}
+
+// Ends of open curves, in the order of the domain's boundary.
+std::size_t ends_on_boundary(const SC::Curve_solution_set_d& set)
+{
+  std::size_t result = 0;
+  for (const SC::Solution_curve& curve : set.curves())
+    if (!curve.is_closed)
+      for (const std::size_t i : {curve.pieces.front().ends[0], curve.pieces.back().ends[1]})
+        result += set.vertices()[i].is_on_boundary;
+  return result;
+}
+
+void expect_curves(const SC::Curve_solution_set_d& set, std::size_t closed, std::size_t open, const std::string& what = "")
+{
+  check_chains(set);
+  EXPECT_TRUE(set.is_complete()) << what;
+  EXPECT_EQ(set.number_of_closed_curves(), closed) << what;
+  EXPECT_EQ(set.number_of_open_curves(), open) << what;
+  EXPECT_EQ(ends_on_boundary(set), 2 * open) << what;
+}
+
+struct Circle
+{
+  Rational x, y, r;
+};
+
+// The product of the equations of circles that do not meet.
+template <class T>
+T circles(const std::vector<Circle>& all, const T& x, const T& y)
+{
+  T result = T(Rational(1));
+  for (const Circle& c : all)
+    result = result * (square(x - c.x) + square(y - c.y) - Rational(c.r * c.r));
+  return result;
+}
+
+} // namespace
+
+TEST(Curve_solver, sphere_and_cylinder)
+{
+  const auto family = [](const Rational& c) {
+    auto [x, y, z] = unknowns({-3, 6}, {-3, 3}, {-3, 3});
+    return SC::solve_curves(x * x + y * y + z * z == 4, square(x - c) + y * y == 1);
+  };
+  expect_curves(family(Rational(1, 2)), 2, 0);
+  expect_curves(family(2), 1, 0);
+  const auto empty = family(4);
+  expect_curves(empty, 0, 0);
+  EXPECT_TRUE(empty.points().empty());
+
+  const auto figure_eight = family(1);   // a node at (2,0,0), where nothing is proved but that four branches reach it
+  check_chains(figure_eight);
+  EXPECT_FALSE(figure_eight.is_complete());
+  EXPECT_EQ(figure_eight.number_of_closed_curves(), 0u);
+  EXPECT_EQ(figure_eight.number_of_open_curves(), 2u);
+  ASSERT_EQ(figure_eight.undecided().size(), 1u);
+  EXPECT_EQ(figure_eight.undecided()[0].vertices.size(), 4u);
+  for (const auto& box : figure_eight.undecided()[0].boxes)
+    EXPECT_LT(CGAL::abs(Rational(box[0].first - 2)), Rational(1, 1000));
+
+  const auto point = family(3);   // an isolated point, (2,0,0)
+  EXPECT_FALSE(point.is_complete());
+  EXPECT_TRUE(point.curves().empty());
+  ASSERT_EQ(point.undecided().size(), 1u);
+  EXPECT_TRUE(point.undecided()[0].vertices.empty());
+}
+
+TEST(Curve_solver, ends_on_the_boundary_of_the_domain)
+{
+  auto [x, y, z] = unknowns({-3, 3}, {-3, 3}, {0, 3});
+  const auto arc = SC::solve_curves(x * x + y * y + z * z == 4, square(x - 2) + y * y == 1);
+  expect_curves(arc, 0, 1);
+  std::vector<double> heights;
+  for (const std::size_t i : {arc.curves()[0].pieces.front().ends[0], arc.curves()[0].pieces.back().ends[1]}) {
+    const std::vector<double> end = arc.vertices()[i].point();
+    EXPECT_NEAR(end[0], 1.75, 1e-14);
+    EXPECT_EQ(end[2], 0);
+    heights.push_back(end[1]);
+  }
+  std::sort(heights.begin(), heights.end());
+  EXPECT_NEAR(heights[0], -std::sqrt(15) / 4, 1e-14);
+  EXPECT_NEAR(heights[1], std::sqrt(15) / 4, 1e-14);
+}
+
+TEST(Curve_solver, product_of_Chebyshev_polynomials)
+{
+  auto [x, y] = unknowns({-1, 1}, {-1, 1});
+  const auto t4 = [](const auto& t) { return 8 * t * t * t * t - 8 * t * t + 1; };
+  const auto set = SC::solve_curves(t4(x) * t4(y) == Rational(1, 2));
+  expect_curves(set, 5, 8);
+  std::multiset<std::string> sides;
+  for (const SC::Curve_vertex& vertex : set.vertices())
+    if (vertex.is_on_boundary) {
+      const std::vector<double> p = vertex.point();
+      const int axis = std::abs(p[0]) == 1 ? 0 : 1;
+      EXPECT_NEAR(t4(p[1 - axis]), 0.5, 1e-13);
+      sides.insert(std::string(1, static_cast<char>('x' + axis)) + (p[axis] > 0 ? "+" : "-"));
+    }
+  for (const char* side : {"x-", "x+", "y-", "y+"})
+    EXPECT_EQ(sides.count(side), 4u) << side;
+}
+
+TEST(Curve_solver, nodes_are_reached_by_four_branches)
+{
+  auto [x, y] = unknowns({-1, 1}, {-1, 1});
+  const auto set = SC::solve_curves(4 * x * x * x - 3 * x == 8 * square(square(y)) - 8 * square(y) + 1);   // T3(x) = T4(y): nodes (-1/2, 0), (1/2, +-1/sqrt 2)
+  check_chains(set);
+  EXPECT_EQ(set.number_of_closed_curves(), 0u);
+  EXPECT_EQ(set.number_of_open_curves(), 7u);
+  ASSERT_EQ(set.undecided().size(), 3u);
+  for (const SC::Undecided_region& region : set.undecided()) {
+    EXPECT_EQ(region.vertices.size(), 4u);
+    const double px = CGAL::to_double(region.boxes[0][0].first), py = CGAL::to_double(region.boxes[0][1].first);
+    EXPECT_NEAR(std::abs(px), 0.5, 1e-4);
+    EXPECT_NEAR(std::abs(py), px < 0 ? 0 : std::sqrt(0.5), 1e-4);
+  }
+}
+
+TEST(Curve_solver, corners_and_contacts_with_the_domain)
+{
+  auto [x, y] = unknowns({-1, 1}, {-1, 1});
+  expect_curves(SC::solve_curves(x == y), 0, 1, "diagonal");
+  expect_curves(SC::solve_curves(y + 1 == x * x), 0, 1, "parabola that touches the lower side from inside");
+  expect_curves(SC::solve_curves(square(x) + square(y) == 1), 1, 0, "circle that touches all sides");
+  expect_curves(SC::solve_curves(square(x) + square(y) == 2), 0, 0, "circle through the corners");
+  EXPECT_EQ(SC::solve_curves(square(x) + square(y) == 2).points().size(), 4u);
+  expect_curves(SC::solve_curves(square(x + 2) + square(y) == 1), 0, 0, "circle that touches a side from outside");
+  EXPECT_EQ(SC::solve_curves(square(x + 2) + square(y) == 1).points().size(), 1u);
+  expect_curves(SC::solve_curves(x + y == 2), 0, 0, "line through a corner");
+  expect_curves(SC::solve_curves(square(x + 1) + square(y + 1) == 4), 0, 1, "quarter of a circle from corner to corner");
+}
+
+TEST(Curve_solver, small_loops_are_found)
+{
+  std::mt19937 generator(11);
+  std::uniform_int_distribution<int> place(-900, 900);
+  for (const Rational& r : {Rational(1, 200), Rational(1, 2000), Rational(1, 2000000)})
+    for (int round = 0; round < 10; ++round) {
+      auto [x, y] = unknowns({-1, 1}, {-1, 1});
+      const Circle circle{Rational(place(generator), 1000), Rational(place(generator), 1000), r};
+      expect_curves(SC::solve_curves(circles<SC::Expression>({circle}, x, y) == 0), 1, 0);
+    }
+  auto [x, y] = unknowns({-2, 2}, {-2, 2});
+  expect_curves(SC::solve_curves(circles<SC::Expression>({{0, 0, 1}, {0, 0, Rational(101, 100)}}, x, y) == 0), 2, 0, "circles that are nearly one");
+}
+
+TEST(Curve_solver, planted_circles)
+{
+  std::mt19937 generator(5);
+  std::uniform_int_distribution<int> coefficient(-4, 4), radius(20, 45);
+  std::size_t closed_total = 0, open_total = 0;
+  for (int round = 0; round < 60; ++round) {
+    // At most one circle in each square of a 3 x 3 grid over [-1.5, 1.5]^2; those in the outer columns may reach over the left or right side at +-1.2, in one arc.
+    std::vector<Circle> planted;
+    std::size_t closed = 0, open = 0;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        if (generator() % 4 == 0) {
+          planted.push_back({i, j, Rational(radius(generator), 100)});
+          const bool reaches_over = i != 0 && planted.back().r > Rational(1, 5);
+          closed += !reaches_over;
+          open += reaches_over;
+        }
+    if (planted.empty() || planted.size() > 3)
+      continue;
+    closed_total += closed;
+    open_total += open;
+    const std::string what = "round " + std::to_string(round);
+    const auto range = std::array<SC::Bound, 2>{SC::Bound(Rational(-6, 5)), SC::Bound(Rational(6, 5))};
+    const std::array<SC::Bound, 2> high{SC::Bound(-2), SC::Bound(2)}, wide{SC::Bound(-50), SC::Bound(50)};
+    {
+      const auto u = unknowns(std::vector{range, high});
+      expect_curves(SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) == 0), closed, open, what);
+    }
+    {
+      const auto u = unknowns(std::vector{range, high, wide});
+      const auto surface = coefficient(generator) * u[0] * u[1] + coefficient(generator) * square(u[0]) + coefficient(generator);
+      expect_curves(SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) + (u[2] - surface) == 0, u[2] == surface), closed, open, what + " in space");
+    }
+    if (round % 6 == 0) {
+      const auto u = unknowns(std::vector{range, high, wide, wide});
+      const auto surface = coefficient(generator) * u[0] * u[1] + coefficient(generator);
+      expect_curves(SC::solve_curves(circles<SC::Expression>(planted, u[0], u[1]) == 0, u[2] == surface, u[3] + u[2] == u[0]), closed, open, what + " in four unknowns");
+    }
+  }
+  EXPECT_GT(closed_total, 10u);
+  EXPECT_GT(open_total, 10u);
+}
+
+TEST(Curve_solver, breaks_through_any_points_of_a_curve)
+{
+  // x^2 + y^2 = 1 as a spline whose breaks touch the circle, cross it in its extreme points, and meet in a point of it, (3/5, 4/5).
+  const std::vector<Rational> x_breaks{-2, -1, 0, Rational(3, 5), 2}, y_breaks{-2, Rational(-1, 3), Rational(4, 5), 1, 2};
+  SC::Spline_term term{{0, 1}, {2, 2}, {x_breaks, y_breaks}, {}};
+  for (std::size_t c = 0; c < 16; ++c)
+    term.pieces.push_back({-1, 0, 1, 0, 0, 0, 1, 0, 0});
+  SC::Constraint_system_d system({{-2, 2}, {-2, 2}});
+  system.add(SC::Spline_function(term), SC::Relation::EQUAL);
+  const auto set = SC::solve_curves(system);
+  expect_curves(set, 1, 0);
+  const auto is_vertex = [&](const Rational& x, const Rational& y) {
+    return std::any_of(set.vertices().begin(), set.vertices().end(), [&](const SC::Curve_vertex& v) { return v.box[0] == std::pair(x, x) && v.box[1] == std::pair(y, y); });
+  };
+  EXPECT_TRUE(is_vertex(Rational(3, 5), Rational(4, 5)));
+  EXPECT_TRUE(is_vertex(0, 1));
+}
+
+TEST(Curve_solver, bad_input)
+{
+  auto [x, y] = unknowns({-1, 1}, {-1, 1});
+  EXPECT_THROW(SC::solve_curves(x * y == 1, x == y), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_curves(x * y == 1, x >= y), SC::Invalid_input);
+  EXPECT_THROW(SC::solve_curves(SC::make_system(std::vector<SC::Constraint>{x == y}), {.tolerance = -1}), SC::Invalid_input);
+  auto [u, v] = unknowns({0, 0}, {-1, 1});
+  EXPECT_THROW(SC::solve_curves(u == v), SC::Invalid_input);
+}
+
+TEST(Curve_solver, limits_leave_regions_undecided)
+{
+  auto [x, y] = unknowns({-2, 2}, {-2, 2});
+  const std::vector<SC::Constraint> constraints{x * x + y * y == 1};
+  const auto set = SC::solve_curves(SC::make_system(constraints), {.tolerance = 1e-6, .node_limit = 3});
+  EXPECT_FALSE(set.is_complete());
+  EXPECT_FALSE(set.undecided().empty());
+  EXPECT_EQ(set.undecided()[0].reason, SC::Undecided_reason::NODES);
+}
