@@ -22,7 +22,7 @@ failures=0
 
 if [ -x "$programs/solve_system" ]; then
   printf '\nsolve_system\n'
-  for system in "$examples"/data/*.bch; do
+  for system in "$examples"/data/*.bch "$examples"/data/curves/*.bch; do
     [ -e "$system" ] || continue
     status=0
     output=$("$programs/solve_system" "$system") || status=$?

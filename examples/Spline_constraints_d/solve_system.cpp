@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Solves a polynomial system in Minibex format and prints every answer with its certificate.
+// Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less than unknowns, every curve of solutions.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
 //                     [--time-limit S] [--parallel] [--json]
@@ -12,6 +12,7 @@
 
 #include <CGAL/Spline_constraints_d.h>
 #include <CGAL/Spline_constraints_d/IO/read_minibex.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <iostream>
 #include <stdexcept>
@@ -60,6 +61,14 @@ int solve(const Arguments& arguments)
   SC::Constraint_system_d system(input.domains);
   for (const auto& constraint : input.constraints)
     system.add(constraint.function, constraint.relation);
+
+  if (static_cast<int>(system.equalities().size()) + 1 == system.dimension()) {
+    if (arguments.number_type != "certified" || arguments.json)
+      throw SC::Invalid_input("curves of solutions go with --number-type certified, and are not written as JSON");
+    const auto curves = SC::solve_curves(system, arguments.options);
+    print_curves(input.names, curves);
+    return curves.is_complete() ? 0 : 3;
+  }
 
   Progress_bar progress;
   const auto run = [&]<class Test>() {

@@ -6,6 +6,7 @@
 #define SOLVE_SYSTEM_OUTPUT_H
 
 #include <CGAL/Spline_constraints_d.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 
 #include <unistd.h>
 
@@ -117,6 +118,40 @@ void print_json(const std::vector<std::string>& names, const Solution_set& solut
             << "\", \"nodes\": " << summary.nodes << ", \"depth\": " << summary.depth << ", \"exact_rebuilds\": " << summary.restarts
             << ", \"seconds\": " << summary.seconds << "}\n";
   print_summary(solutions);
+}
+
+inline void print_curves(const std::vector<std::string>& names, const CGAL::Spline_constraints::Curve_solution_set_d& set)
+{
+  const auto print_box = [&](const auto& box) {
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto [lower, upper] = as_doubles(box[j]);
+      std::cout << (j == 0 ? "" : " ") << names[j] << " in [" << lower << ',' << upper << ']';
+    }
+    std::cout << '\n';
+  };
+  std::cout << std::setprecision(17);
+  int index = 0;
+  for (const auto& curve : set.curves()) {
+    std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", " << curve.pieces.size() << " pieces, from ";
+    print_box(set.vertices()[curve.pieces.front().ends[0]].box);
+    if (!curve.is_closed) {
+      std::cout << "  to ";
+      print_box(set.vertices()[curve.pieces.back().ends[1]].box);
+    }
+  }
+  for (const std::size_t point : set.singular_points()) {
+    std::cout << "singular point ";
+    print_box(set.vertices()[point].box);
+  }
+  for (const std::size_t point : set.points()) {
+    std::cout << "point ";
+    print_box(set.vertices()[point].box);
+  }
+  for (const auto& region : set.undecided()) {
+    std::cout << "undecided (" << region.reason << ") with " << region.vertices.size() << " branches, " << region.boxes.size() << " boxes, the first ";
+    print_box(region.boxes.front());
+  }
+  std::cout << std::setprecision(4) << set << '\n';
 }
 
 #endif // SOLVE_SYSTEM_OUTPUT_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves of solutions: numbers of components, open and closed ones, and where they end; known curves, planted circles in 2, 3 and 4 unknowns, splines with breaks in awkward places.
+// Curves of solutions: numbers of components, open and closed ones, where they end and cross; known curves, planted circles in 2, 3 and 4 unknowns, splines with breaks in awkward places.
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
@@ -38,13 +38,15 @@ void check_chains(const SC::Curve_solution_set_d& set)
           EXPECT_LE(vertex.box[j].first, piece.box[j].second);
         }
       }
-      const auto place = [&](std::size_t end) { return set.vertices()[piece.ends[end]].box[piece.parameter]; };
-      EXPECT_TRUE(place(0).second < place(1).first || place(1).second < place(0).first);
+      const auto place = [&](std::size_t end) { return set.vertices()[piece.ends[end]].box[(std::max)(piece.parameter, 0)]; };
+      EXPECT_TRUE(piece.parameter < 0 || place(0).second < place(1).first || place(1).second < place(0).first);
     }
     EXPECT_TRUE(!curve.is_closed || curve.pieces.back().ends[1] == curve.pieces.front().ends[0]);
   }
-  for (std::size_t i = 0; i < uses.size(); ++i)
-    EXPECT_TRUE(!set.is_complete() || uses[i] == 2 || set.vertices()[i].is_on_boundary);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const SC::Curve_vertex& vertex = set.vertices()[i];
+    EXPECT_TRUE(!set.is_complete() || vertex.is_on_boundary || (vertex.is_singular ? uses[i] == 4 || uses[i] == 0 : uses[i] == 2));
+  }
 }
 
 // Ends of open curves, in the order of the domain's boundary.
@@ -65,6 +67,15 @@ void expect_curves(const SC::Curve_solution_set_d& set, std::size_t closed, std:
   EXPECT_EQ(set.number_of_closed_curves(), closed) << what;
   EXPECT_EQ(set.number_of_open_curves(), open) << what;
   EXPECT_EQ(ends_on_boundary(set), 2 * open) << what;
+}
+
+void expect_point(const SC::Curve_vertex::Exact_box& box, const std::vector<int>& point)
+{
+  for (std::size_t j = 0; j < point.size(); ++j) {
+    EXPECT_LE(box[j].first, Rational(point[j]));
+    EXPECT_GE(box[j].second, Rational(point[j]));
+    EXPECT_LT(Rational(box[j].second - box[j].first), Rational(1, 1000000));
+  }
 }
 
 struct Circle
@@ -96,21 +107,23 @@ TEST(Curve_solver, sphere_and_cylinder)
   expect_curves(empty, 0, 0);
   EXPECT_TRUE(empty.points().empty());
 
-  const auto figure_eight = family(1);   // a node at (2,0,0), where nothing is proved but that four branches reach it
+  const auto figure_eight = family(1);   // crosses itself at (2,0,0)
   check_chains(figure_eight);
-  EXPECT_FALSE(figure_eight.is_complete());
+  EXPECT_TRUE(figure_eight.is_complete());
   EXPECT_EQ(figure_eight.number_of_closed_curves(), 0u);
   EXPECT_EQ(figure_eight.number_of_open_curves(), 2u);
-  ASSERT_EQ(figure_eight.undecided().size(), 1u);
-  EXPECT_EQ(figure_eight.undecided()[0].vertices.size(), 4u);
-  for (const auto& box : figure_eight.undecided()[0].boxes)
-    EXPECT_LT(CGAL::abs(Rational(box[0].first - 2)), Rational(1, 1000));
+  ASSERT_EQ(figure_eight.singular_points().size(), 1u);
+  expect_point(figure_eight.vertices()[figure_eight.singular_points()[0]].box, {2, 0, 0});
+  for (const SC::Solution_curve& loop : figure_eight.curves()) {
+    EXPECT_EQ(loop.vertices().front(), figure_eight.singular_points()[0]);
+    EXPECT_EQ(loop.vertices().back(), figure_eight.singular_points()[0]);
+  }
 
-  const auto point = family(3);   // an isolated point, (2,0,0)
-  EXPECT_FALSE(point.is_complete());
+  const auto point = family(3);   // touches at (2,0,0)
+  EXPECT_TRUE(point.is_complete());
   EXPECT_TRUE(point.curves().empty());
-  ASSERT_EQ(point.undecided().size(), 1u);
-  EXPECT_TRUE(point.undecided()[0].vertices.empty());
+  ASSERT_EQ(point.singular_points().size(), 1u);
+  expect_point(point.vertices()[point.singular_points()[0]].box, {2, 0, 0});
 }
 
 TEST(Curve_solver, ends_on_the_boundary_of_the_domain)
@@ -148,20 +161,77 @@ TEST(Curve_solver, product_of_Chebyshev_polynomials)
     EXPECT_EQ(sides.count(side), 4u) << side;
 }
 
-TEST(Curve_solver, nodes_are_reached_by_four_branches)
+TEST(Curve_solver, curves_cross_at_rational_and_irrational_points)
 {
   auto [x, y] = unknowns({-1, 1}, {-1, 1});
   const auto set = SC::solve_curves(4 * x * x * x - 3 * x == 8 * square(square(y)) - 8 * square(y) + 1);   // T3(x) = T4(y): nodes (-1/2, 0), (1/2, +-1/sqrt 2)
   check_chains(set);
+  EXPECT_TRUE(set.is_complete());
   EXPECT_EQ(set.number_of_closed_curves(), 0u);
   EXPECT_EQ(set.number_of_open_curves(), 7u);
-  ASSERT_EQ(set.undecided().size(), 3u);
-  for (const SC::Undecided_region& region : set.undecided()) {
-    EXPECT_EQ(region.vertices.size(), 4u);
-    const double px = CGAL::to_double(region.boxes[0][0].first), py = CGAL::to_double(region.boxes[0][1].first);
-    EXPECT_NEAR(std::abs(px), 0.5, 1e-4);
-    EXPECT_NEAR(std::abs(py), px < 0 ? 0 : std::sqrt(0.5), 1e-4);
+  ASSERT_EQ(set.singular_points().size(), 3u);
+  for (const std::size_t node : set.singular_points()) {
+    const double px = set.vertices()[node].point()[0], py = set.vertices()[node].point()[1];
+    EXPECT_NEAR(std::abs(px), 0.5, 1e-14);
+    EXPECT_NEAR(std::abs(py), px < 0 ? 0 : std::sqrt(0.5), 1e-14);
   }
+}
+
+TEST(Curve_solver, lines_cross_each_other)
+{
+  std::mt19937 generator(3);
+  std::uniform_int_distribution<int> coefficient(-9, 9);
+  for (int round = 0; round < 20; ++round) {
+    auto [x, y] = unknowns({-40, 41}, {-43, 42});
+    // Slopes 1, 2, 3, ... and small offsets: any two cross inside of the domain; no three in a point.
+    const int count = 2 + round % 3;
+    std::vector<int> offsets;
+    SC::Expression product(1);
+    for (int i = 0; i < count; ++i) {
+      offsets.push_back(coefficient(generator));
+      product *= y - (i + 1) * x - offsets[i];
+    }
+    std::set<Rational> places;
+    for (int i = 0; i < count; ++i)
+      for (int j = i + 1; j < count; ++j)
+        places.insert(Rational(offsets[i] - offsets[j], j - i));
+    const std::size_t crossings = static_cast<std::size_t>(count * (count - 1) / 2);
+    if (places.size() < crossings)
+      continue;
+    const auto set = SC::solve_curves(product == 0);
+    check_chains(set);
+    EXPECT_TRUE(set.is_complete());
+    EXPECT_EQ(set.singular_points().size(), crossings);
+    EXPECT_EQ(set.number_of_open_curves(), static_cast<std::size_t>(count * count));
+    EXPECT_EQ(set.number_of_closed_curves(), 0u);
+  }
+}
+
+TEST(Curve_solver, circles_cross_and_points_are_isolated)
+{
+  auto [x, y] = unknowns({-3, 4}, {-3, 3});
+  const auto crossing = SC::solve_curves((square(x) + square(y) - 2) * (square(x - 1) + square(y) - 2) == 0);   // at (1/2, +-sqrt 7 / 2)
+  EXPECT_TRUE(crossing.is_complete());
+  EXPECT_EQ(crossing.singular_points().size(), 2u);
+  EXPECT_EQ(crossing.number_of_open_curves(), 4u);
+
+  const auto folium = SC::solve_curves(x * x * x + y * y * y == 3 * x * y);
+  EXPECT_TRUE(folium.is_complete());
+  EXPECT_EQ(folium.singular_points().size(), 1u);
+  EXPECT_EQ(folium.number_of_open_curves(), 3u);   // the loop and two arms
+
+  const auto isolated = SC::solve_curves(square(x) + square(y) == x * x * x);   // an acnode at the origin
+  EXPECT_TRUE(isolated.is_complete());
+  ASSERT_EQ(isolated.singular_points().size(), 1u);
+  expect_point(isolated.vertices()[isolated.singular_points()[0]].box, {0, 0});
+  EXPECT_EQ(isolated.number_of_open_curves(), 1u);
+
+  const auto cusp = SC::solve_curves(square(y) == x * x * x);   // of higher order: not proved
+  EXPECT_FALSE(cusp.is_complete());
+  EXPECT_TRUE(cusp.singular_points().empty());
+  ASSERT_EQ(cusp.undecided().size(), 1u);
+  EXPECT_EQ(cusp.undecided()[0].vertices.size(), 2u);
+  EXPECT_EQ(cusp.number_of_open_curves(), 2u);
 }
 
 TEST(Curve_solver, corners_and_contacts_with_the_domain)

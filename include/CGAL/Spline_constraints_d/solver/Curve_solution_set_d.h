@@ -20,7 +20,7 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value.
+A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value; or a singular point.
 */
 struct Curve_vertex
 {
@@ -31,6 +31,9 @@ struct Curve_vertex
 
   //! whether the point lies on the boundary of the domain.
   bool is_on_boundary;
+
+  //! whether it is a singular point, by proof the only one near it: four pieces end there, as where two curves cross, or none, then it is an isolated solution.
+  bool is_singular;
 
   //! the middle of the box, rounded to doubles.
   std::vector<double> point() const
@@ -53,7 +56,7 @@ struct Curve_piece
   //! the box.
   Curve_vertex::Exact_box box;
 
-  //! the unknown that the piece is a graph over.
+  //! the unknown that the piece is a graph over; -1 for a piece that ends in a singular point, in whose box it is one of four that meet there and nowhere else.
   int parameter;
 
   //! indices of the vertices at its two ends, in the order along the curve.
@@ -88,7 +91,7 @@ struct Solution_curve
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point, as a rule, where curves cross or end.
+A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point of higher order, as a rule.
 */
 struct Undecided_region
 {
@@ -112,17 +115,19 @@ class Curve_solution_set_d
   std::vector<Curve_vertex> m_vertices;
   std::vector<Solution_curve> m_curves;
   std::vector<std::size_t> m_points;
+  std::vector<std::size_t> m_singular_points;
   std::vector<Undecided_region> m_undecided;
   Summary m_summary;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<Undecided_region> undecided, const Summary& summary)
-    : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)), m_undecided(std::move(undecided)), m_summary(summary)
+  Curve_solution_set_d(std::vector<Curve_vertex> vertices, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
+                       std::vector<Undecided_region> undecided, const Summary& summary)
+    : m_vertices(std::move(vertices)), m_curves(std::move(curves)), m_points(std::move(points)), m_singular_points(std::move(singular_points)), m_undecided(std::move(undecided)), m_summary(summary)
   {}
 #endif
 
-  //! the curves. An open curve ends on the boundary of the domain or at an undecided region.
+  //! the curves. An open curve ends on the boundary of the domain, at a singular point or at an undecided region.
   const std::vector<Solution_curve>& curves() const { return m_curves; }
 
   //! the vertices of all curves, which pieces refer to by their indices.
@@ -130,6 +135,9 @@ public:
 
   //! solutions without others near them: points where a curve only touches the domain from outside.
   const std::vector<std::size_t>& points() const { return m_points; }
+
+  //! indices of the vertices that are singular points: where curves cross, and isolated solutions inside of the domain.
+  const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
 
   //! where nothing is proved.
   const std::vector<Undecided_region>& undecided() const { return m_undecided; }
@@ -143,7 +151,7 @@ public:
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
-  //! whether all solutions lie on the curves and points, by proof: nothing is undecided.
+  //! whether all solutions lie on the curves and are points or singular points, by proof: nothing is undecided.
   bool is_complete() const { return m_summary.is_complete; }
 
   //! the work.
@@ -151,10 +159,11 @@ public:
 };
 
 //! \ingroup PkgSplineConstraintsDSolver
-//! writes one line: the numbers of curves and of undecided regions.
+//! writes one line: the numbers of curves, singular points and undecided regions.
 inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
 {
-  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, " << set.undecided().size() << " undecided; complete: "
+  return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, " << set.singular_points().size()
+             << " singular points, " << set.undecided().size() << " undecided; complete: "
              << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds " << set.summary().seconds;
 }
 

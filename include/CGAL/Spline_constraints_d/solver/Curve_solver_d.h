@@ -135,7 +135,8 @@ The domain is cut into boxes. The points where curves cross the cutting planes a
 both sides. A box is dropped when it is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is no closed curve inside, and the order of the points
 on its boundary tells how they are joined. So no curve is lost, however small, nothing is joined by distance, and a curve is closed when its pieces are.
 
-Where that does not succeed, as around singular points, small boxes are left undecided; those that touch are one region.
+Small boxes with a singular point where two curves cross transversally, or with one isolated solution with a definite quadratic part, are proved to be that, if the point is neither on the boundary of the domain nor on
+a break and there are at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
 
 \param system the constraints; one equality less than unknowns, no inequalities.
 \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.

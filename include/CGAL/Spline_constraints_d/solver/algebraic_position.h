@@ -62,13 +62,18 @@ inline std::vector<Mpfr_interval> eliminated_jacobian(const std::vector<Power_po
 {
   const std::size_t n = point.size(), m = polynomials.size();
   const Mpfr_precision_scope scope(256);
-  const Polynomial_jets jets(polynomials, std::vector<Mpfr_interval>(point.begin(), point.end()), 1);
+  const Polynomial_jets jets(polynomials, std::vector<Mpfr_interval>(point.begin(), point.end()), 2);
   std::vector<Mpfr_interval> rows(m * (n + m), Mpfr_interval(0));
   for (std::size_t i = 0; i < m; ++i) {
     rows[i * (n + m) + n + i] = Mpfr_interval(1);
-    double longest = 0;   // rows of one length: factors of equations mean nothing
-    for (std::size_t j = 0; j < n; ++j)
+    // Rows of one length: factors of equations mean nothing. But a gradient that is zero at the root is only small at a point beside it.
+    constexpr double small = 0x1p-30;
+    double longest = 0;
+    for (std::size_t j = 0; j < n; ++j) {
       longest = (std::max)(longest, std::abs(CGAL::to_double(jets.gradient(i, j).midpoint())));
+      for (std::size_t l = 0; l < n; ++l)
+        longest = (std::max)(longest, small * std::abs(CGAL::to_double(jets.hessian(i, j, l).midpoint())));
+    }
     for (std::size_t j = 0; j < n && longest > 0 && longest < HUGE_VAL; ++j)
       rows[i * (n + m) + j] = Mpfr_interval(Exact_rational(jets.gradient(i, j).midpoint() / Exact_rational(longest)));
   }

@@ -39,6 +39,10 @@ public:
   void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, int depth = 0)
   {
     constexpr int least_depth = 1, most_depth = 20;
+    if (piece.parameter < 0) {
+      points.push_back(to);
+      return;
+    }
     Point middle(from.size());
     for (std::size_t j = 0; j < from.size(); ++j)
       middle[j] = 0.5 * (from[j] + to[j]);
@@ -138,7 +142,8 @@ private:
 \ingroup PkgSplineConstraintsDSolver
 
 points along a curve of solutions: its vertices, and between them so many others that the curve passes the middle of each chord at no more than a given distance. Every one is a solution up to rounding:
-the points between vertices are found by Newton's method in the boxes of the pieces, where they are unique. Consecutive points of a closed curve begin and end with the same one.
+the points between vertices are found by Newton's method in the boxes of the pieces, where they are unique. The points of a closed curve begin and end with the same one. Pieces that
+end in a singular point, a thousandth of the domain long, are one chord.
 
 \param system the system that was solved.
 \param set its solutions.

@@ -40,16 +40,22 @@ public:
     std::vector<Undecided_region> undecided = regions();
     std::vector<Solution_curve> curves = chains();
     std::vector<Curve_vertex> vertices;
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      vertices.push_back({m_points[i].box, is_on_boundary(i)});
+    std::vector<std::size_t> singular_points;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      vertices.push_back({m_points[i].box, is_on_boundary(i), is_singular_point(i)});
+      if (is_singular_point(i))
+        singular_points.push_back(i);
+    }
     if (!undecided.empty()) {
       summary.is_complete = false;
       summary.why_not = undecided.front().reason;
     }
-    return Curve_solution_set_d(std::move(vertices), std::move(curves), isolated_points(undecided), std::move(undecided), summary);
+    return Curve_solution_set_d(std::move(vertices), std::move(curves), isolated_points(), std::move(singular_points), std::move(undecided), summary);
   }
 
 private:
+  bool is_singular_point(std::size_t i) const { return m_points[i].planes() == 0; }
+
   bool is_on_boundary(std::size_t i) const
   {
     const Plane_point& point = m_points[i];
@@ -59,7 +65,7 @@ private:
     return false;
   }
 
-  // A curve goes on through a vertex that two pieces share.
+  // A curve goes on through a vertex that two pieces share, not through a singular point.
   bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2; }
 
   std::vector<Solution_curve> chains()
@@ -107,14 +113,30 @@ private:
     return true;
   }
 
+  // Of each box one of those that it is connected to, the same for all of them. By a sweep along the first unknown.
+  std::vector<std::size_t> roots_of_regions() const
+  {
+    std::vector<std::size_t> root(m_boxes.size()), order(m_boxes.size());
+    std::iota(root.begin(), root.end(), 0);
+    std::iota(order.begin(), order.end(), 0);
+    const auto find = [&](std::size_t i) {
+      while (root[i] != i)
+        i = root[i] = root[root[i]];
+      return i;
+    };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return m_boxes[i].box[0].first < m_boxes[k].box[0].first; });
+    for (std::size_t a = 0; a < order.size(); ++a)
+      for (std::size_t b = a + 1; b < order.size() && m_boxes[order[b]].box[0].first <= m_boxes[order[a]].box[0].second; ++b)
+        if (touch(m_boxes[order[a]].box, m_boxes[order[b]].box))
+          root[find(order[a])] = find(order[b]);
+    for (std::size_t i = 0; i < root.size(); ++i)
+      root[i] = find(i);
+    return root;
+  }
+
   std::vector<Undecided_region> regions() const
   {
-    std::vector<std::size_t> root(m_boxes.size());
-    std::iota(root.begin(), root.end(), 0);
-    for (std::size_t i = 0; i < m_boxes.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k)
-        if (root[i] != root[k] && touch(m_boxes[i].box, m_boxes[k].box))
-          std::replace(root.begin(), root.end(), std::size_t(root[k]), std::size_t(root[i]));
+    const std::vector<std::size_t> root = roots_of_regions();
     std::vector<Undecided_region> result;
     for (std::size_t r = 0; r < m_boxes.size(); ++r) {
       Undecided_region region{{}, {}, m_boxes[r].reason};
@@ -133,13 +155,13 @@ private:
     return result;
   }
 
-  // Vertices without pieces that no undecided region holds.
-  std::vector<std::size_t> isolated_points(const std::vector<Undecided_region>&) const
+  // Vertices without pieces that no undecided box has.
+  std::vector<std::size_t> isolated_points() const
   {
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < m_points.size(); ++i) {
       const auto holds_it = [&](const Undecided_box& box) { return std::find(box.vertices.begin(), box.vertices.end(), i) != box.vertices.end(); };
-      if (m_pieces_at[i].empty() && std::none_of(m_boxes.begin(), m_boxes.end(), holds_it))
+      if (m_pieces_at[i].empty() && !is_singular_point(i) && std::none_of(m_boxes.begin(), m_boxes.end(), holds_it))
         result.push_back(i);
     }
     return result;

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Singular_point_test.h>
 #include <CGAL/Spline_constraints_d/solver/splitters.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Undecided_box
 
 /*
 The curves in one cell, where all functions are polynomials. The vertices on the boundary of a box are known before it is looked at: those on the plane that it is split along are found before it is split,
-and both halves get them. A box is finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that unknown are the ends of the pieces.
+and both halves get them. A box is finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that unknown are the ends of the pieces; or when all of them end in one singular point.
 */
 class Curve_subdivision
 {
@@ -56,6 +57,7 @@ class Curve_subdivision
   Curve_vertices& m_vertices;
   std::deque<Node> m_nodes;   // per level; stays where it is
   std::vector<double> m_domain_widths;
+  std::size_t m_attempts = 0, m_singular_points = 0;
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
 
@@ -116,6 +118,8 @@ private:
         if (m_graph.is_graph() && joined(box, vertices, m_graph.parameter()))
           return;
       }
+      if (has_singular_point(node, box, vertices, depth))
+        return;
       std::optional<Split> split = split_of(node, box, vertices);
       if (!split) {
         m_undecided.push_back({std::move(box), std::move(vertices), Undecided_reason::TOLERANCE});
@@ -147,6 +151,28 @@ private:
     return false;
   }
 
+  // Makes the pieces of a small box whose only solutions are proved to be the branches that end in a singular point. There are as many vertices then.
+  bool has_singular_point(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices, int depth)
+  {
+    constexpr double small = 0x1p-10;   // relative to the domain: these pieces are drawn as chords
+    constexpr std::size_t few_attempts = 32;
+    const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
+    if (depth % m_layout.dimension != 0 || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
+      return false;
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (node.upper[j] - node.lower[j] > small * m_domain_widths[j])
+        return false;
+    ++m_attempts;
+    const std::optional<Proved_singularity> point = Singular_point_test(m_system, box)();
+    if (!point || point->branches != vertices.size())
+      return false;
+    ++m_singular_points;
+    const std::size_t centre = m_vertices.add_singular_point(point->box);
+    for (const std::size_t i : vertices)
+      m_pieces.push_back({box, -1, {centre, i}});
+    return true;
+  }
+
   // Those on the plane of a split belong to both parts.
   std::pair<Vertex_indices, Vertex_indices> distributed(const Vertex_indices& vertices, const Split& split) const
   {
@@ -174,7 +200,9 @@ private:
   // The axes that can be split, the best one first.
   std::vector<int> rated_axes(const Node& node)
   {
-    constexpr double thinnest = 0.125;
+    constexpr double thinnest = 0.125, coarsening = 4;
+    constexpr std::size_t many_boxes = 128;   // after so many more have been left undecided, others may be wider: the number of boxes does not grow with the tolerance
+    const double tolerance = m_options.tolerance * std::pow(coarsening, static_cast<double>(m_undecided.size() / many_boxes));
     const int n = m_layout.dimension;
     std::vector<double> widths, rating;
     double widest = 0;
@@ -185,7 +213,7 @@ private:
     m_splitter.rate(m_analysis.view, widths, rating);
     std::vector<int> result;
     for (int j = 0; j < n; ++j)
-      if (node.upper[j] - node.lower[j] > m_options.tolerance * (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}) && widths[j] >= thinnest * widest)
+      if (node.upper[j] - node.lower[j] > tolerance * (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}) && widths[j] >= thinnest * widest)
         result.push_back(j);
     std::stable_sort(result.begin(), result.end(), [&](int i, int j) { return rating[i] > rating[j] * (1 + 1e-9); });
     return result;

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A solution on one or several planes, each of which fixes an unknown.
+// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point that was looked for.
 struct Plane_point
 {
   enum Kind { REGULAR, SINGULAR, UNKNOWN };   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
@@ -54,6 +54,13 @@ public:
   const Plane_point& operator[](std::size_t i) const { return m_points[i]; }
   std::size_t size() const { return m_points.size(); }
   const Summary& work() const { return m_work; }
+
+  // A point on no plane.
+  std::size_t add_singular_point(const Exact_ranges& box)
+  {
+    m_points.push_back({Plane_point::SINGULAR, box, box, std::vector<bool>(box.size(), false)});
+    return m_points.size() - 1;
+  }
 
   Solution_set_d<double> solve(const Constraint_system_d& system)
   {
