@@ -6,9 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Short_integer.h>
 
 #include <algorithm>
 #include <iterator>
@@ -84,6 +84,9 @@ public:
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                             const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
 
+  //! the same with control points in doubles, which are taken exactly, and faster.
+  static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<double>>& pieces);
+
   //! the summands.
   const std::vector<Spline_term>& terms() const { return m_terms; }
 
@@ -113,6 +116,10 @@ public:
           coefficient = -coefficient;
     return std::move(a += std::move(b));
   }
+
+private:
+  template <class NT>
+  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<NT>>& pieces);
 };
 
 namespace internal {
@@ -173,16 +180,16 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
 }
 
 // Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times differences.
-inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
+inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
 {
   const int degree = degrees[axis];
-  std::vector<Big_integer> binomials(degree + 1, Big_integer(1));
+  std::vector<Short_integer> binomials(degree + 1, Short_integer(1));
   for (int k = 1; k < degree; ++k) {
     binomials[k] = binomials[k - 1];
     binomials[k] *= degree - k + 1;
     binomials[k] /= k;
   }
-  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
     for (int r = 1; r <= degree; ++r)
       for (int k = degree; k >= r; --k)
         a[step * k] -= a[step * (k - 1)];
@@ -191,25 +198,53 @@ inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std
   });
 }
 
+// Numbers over their common denominator, which is returned.
+inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers, std::vector<Short_integer>& numerators)
+{
+  Short_integer denominator(1);
+  for (const Exact_rational& number : numbers)
+    extend_common_denominator(denominator, number);
+  numerators.clear();
+  for (const Exact_rational& number : numbers)
+    numerators.push_back(numerator_over(number, denominator));
+  return denominator;
+}
+
+inline Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators)
+{
+  long finest = 0;
+  for (double number : numbers)
+    finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
+  numerators.clear();
+  for (double number : numbers) {
+    auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
+    shift_left(mantissa, static_cast<unsigned long>(exponent - finest));
+    numerators.push_back(std::move(mantissa));
+  }
+  Short_integer denominator(1);
+  shift_left(denominator, static_cast<unsigned long>(-finest));
+  return denominator;
+}
+
 /*
 Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
 that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
 */
-inline void substitute_range(std::vector<Big_integer>& coefficients, Big_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
+inline void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
                              const Exact_rational& begin, const Exact_rational& end)
 {
   const int degree = degrees[axis];
-  Big_integer unit(1);
+  Short_integer unit(1);
   extend_common_denominator(unit, begin);
   extend_common_denominator(unit, end);
-  const Big_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
-  std::vector<Big_integer> powers_of_width(1, Big_integer(1)), powers_of_unit(1, Big_integer(1));
+  const Short_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
+  std::vector<Short_integer> powers_of_width(1, Short_integer(1)), powers_of_unit(1, Short_integer(1));
   for (int k = 1; k <= degree; ++k) {
     powers_of_width.push_back(powers_of_width.back() * width);
     powers_of_unit.push_back(powers_of_unit.back() * unit);
   }
   denominator *= powers_of_width.back();
-  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
     for (int k = 0; k <= degree; ++k)
       a[step * k] *= powers_of_width[degree - k];
     for (int r = 0; r < degree; ++r)
@@ -278,9 +313,8 @@ inline Spline_function::Spline_function(const Power_polynomial& polynomial)
   }
 }
 
-inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables,
-                                                           std::vector<std::vector<Exact_rational>> breaks,
-                                                           const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
+template <class NT>
+Spline_function Spline_function::from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
 {
   Spline_term term;
   term.variables = std::move(variables);
@@ -298,17 +332,16 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
   for (std::size_t j = 0; j < dimension; ++j)
     if (term.breaks[j].size() < 2)
       throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
+  term.pieces.reserve(pieces.size());
+  std::vector<internal::Short_integer> power;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    const bool has_degrees = pieces[c].degrees() == term.degrees;
-    const std::vector<Exact_rational> elevated = has_degrees ? std::vector<Exact_rational>() : pieces[c].elevated(term.degrees).coefficients();
-    const std::vector<Exact_rational>& bernstein = has_degrees ? pieces[c].coefficients() : elevated;
-    internal::Big_integer denominator(1);
-    for (const Exact_rational& coefficient : bernstein)
-      internal::extend_common_denominator(denominator, coefficient);
-    std::vector<internal::Big_integer> power;
-    power.reserve(bernstein.size());
-    for (const Exact_rational& coefficient : bernstein)
-      power.push_back(internal::numerator_over(coefficient, denominator));
+    const std::vector<NT>& bernstein = pieces[c].coefficients();
+    internal::Short_integer denominator;
+    if (pieces[c].degrees() == term.degrees)
+      denominator = internal::over_common_denominator(bernstein, power);
+    else
+      denominator = internal::over_common_denominator(
+        Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees).coefficients(), power);
     std::size_t rest = c;
     for (std::size_t j = dimension; j-- > 0;) {
       const std::size_t cell = rest % term.cells(j);
@@ -320,10 +353,22 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
     }
     std::vector<Exact_rational>& piece = term.pieces.emplace_back();
     piece.reserve(power.size());
-    for (const internal::Big_integer& numerator : power)
+    for (const internal::Short_integer& numerator : power)
       piece.push_back(internal::quotient(numerator, denominator));
   }
   return Spline_function(std::move(term));
+}
+
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                                           const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
+{
+  return from_pieces(std::move(variables), std::move(breaks), pieces);
+}
+
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                                           const std::vector<Bernstein_tensor<double>>& pieces)
+{
+  return from_pieces(std::move(variables), std::move(breaks), pieces);
 }
 
 } // namespace Spline_constraints

@@ -31,7 +31,7 @@ struct Certified_region
   std::vector<double> weights;   // positive; empty: ones
   std::vector<double> start;     // where to begin, in [0,1]^n; empty: in the middle
   Exact_source* source = nullptr;
-  std::vector<Big_integer> matrix;   // of the source
+  std::vector<Short_integer> matrix;   // of the source
 };
 
 template <class Coordinate>

@@ -63,8 +63,8 @@ void visit_cell_boxes(Exact_source& source, const std::vector<Exact_rational>& l
       const std::vector<Exact_rational>& breaks = source.breaks(static_cast<int>(v));
       const bool has_breaks = breaks.size() > 2;
       const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
-      const Exact_rational begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
-      const Exact_rational end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
+      const Exact_rational& begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
+      const Exact_rational& end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
       std::tie(part_lower[v], part_upper[v]) = dyadic_hull<Coordinate>(begin, end, bits);
     }
     visit(cell, part_lower, part_upper);
