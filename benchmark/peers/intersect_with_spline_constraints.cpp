@@ -19,11 +19,11 @@ namespace SC = CGAL::Spline_constraints;
 SC::Spline_function coordinate(const Bezier_curve& curve, double Control_point::*axis, int unknown)
 {
   std::vector<double> coefficients;
+  coefficients.reserve(curve.size());
   for (const Control_point& p : curve)
     coefficients.push_back(p.*axis);
   const int degree = static_cast<int>(curve.size()) - 1;
-  const std::vector<SC::Bernstein_tensor<double>> piece(1, SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
-  return SC::Spline_function::from_bezier_pieces({unknown}, {{0, 1}}, piece);
+  return SC::Spline_function::from_bernstein({unknown}, SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
 }
 
 SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_curve& b)

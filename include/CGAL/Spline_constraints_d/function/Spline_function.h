@@ -14,6 +14,8 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,8 +86,13 @@ public:
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                             const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
 
-  //! the same with control points in doubles, which are taken exactly, and faster.
+  //! the same with control points in doubles, which are exact numbers.
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<double>>& pieces);
+
+  //! one polynomial everywhere, given by its Bernstein coefficients on the unit box; axis `j` belongs to the unknown `variables[j]`.
+  //! \throws Invalid_input when sizes do not match or variables do not increase.
+  static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial);
+  static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial);
 
   //! the summands.
   const std::vector<Spline_term>& terms() const { return m_terms; }
@@ -119,7 +126,7 @@ public:
 
 private:
   template <class NT>
-  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<NT>>& pieces);
+  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces);
 };
 
 namespace internal {
@@ -313,8 +320,9 @@ inline Spline_function::Spline_function(const Power_polynomial& polynomial)
   }
 }
 
+// Where an axis has no breaks, the piece belongs to the unit interval, and goes on beyond it.
 template <class NT>
-Spline_function Spline_function::from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
+Spline_function Spline_function::from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces)
 {
   Spline_term term;
   term.variables = std::move(variables);
@@ -329,9 +337,6 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
     for (std::size_t j = 0; j < dimension; ++j)
       term.degrees[j] = (std::max)(term.degrees[j], piece.degrees()[j]);
   }
-  for (std::size_t j = 0; j < dimension; ++j)
-    if (term.breaks[j].size() < 2)
-      throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
   term.pieces.reserve(pieces.size());
   std::vector<internal::Short_integer> power;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
@@ -344,10 +349,12 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
         Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees).coefficients(), power);
     std::size_t rest = c;
     for (std::size_t j = dimension; j-- > 0;) {
+      internal::bernstein_to_power(power, term.degrees, j);
+      if (term.breaks[j].empty())
+        continue;
       const std::size_t cell = rest % term.cells(j);
       rest /= term.cells(j);
       const Exact_rational &begin = term.breaks[j][cell], &end = term.breaks[j][cell + 1];
-      internal::bernstein_to_power(power, term.degrees, j);
       if (begin != 0 || end != 1)
         internal::substitute_range(power, denominator, term.degrees, j, begin, end);
     }
@@ -359,16 +366,39 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
   return Spline_function(std::move(term));
 }
 
+namespace internal {
+
+inline void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>>& breaks)
+{
+  for (std::size_t j = 0; j < breaks.size(); ++j)
+    if (breaks[j].size() < 2)
+      throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
+}
+
+} // namespace internal
+
 inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                                            const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
 {
-  return from_pieces(std::move(variables), std::move(breaks), pieces);
+  internal::check_breaks_of_pieces(breaks);
+  return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
 }
 
 inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                                            const std::vector<Bernstein_tensor<double>>& pieces)
 {
-  return from_pieces(std::move(variables), std::move(breaks), pieces);
+  internal::check_breaks_of_pieces(breaks);
+  return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
+}
+
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial)
+{
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
+}
+
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial)
+{
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
 }
 
 } // namespace Spline_constraints

@@ -52,8 +52,7 @@ class Exact_source
   const System_layout& m_layout;
   std::vector<std::vector<Exact_rational>> m_breaks;   // per unknown, empty where no spline has any
   std::vector<Term> m_terms;
-  std::vector<std::vector<std::vector<Short_integer>>> m_weights;   // per block and axis: lcm_i C(d,i) / C(d,i)
-  std::vector<Short_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
+  std::vector<Short_integer> m_denominators;           // per block: product over the axes of lcm_i C(d,i)
   std::vector<Short_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
   std::vector<Short_integer> m_values, m_work;
   std::vector<std::pair<Short_integer, long>> m_point;   // of an evaluation: mantissa 2^exponent, exponent <= 0
@@ -78,10 +77,15 @@ public:
     for (int f = 0; f < layout.functions; ++f)
       add_function(function_of(system, f), f);
     m_places.resize(layout.functions);
+    m_denominators.reserve(layout.blocks.size());
     for (std::size_t b = 0; b < layout.blocks.size(); ++b)
       for (std::size_t m = 0; m < layout.blocks[b].functions.size(); ++m)
         m_places[layout.blocks[b].functions[m]].push_back({b, m});
-    prepare_binomials();
+    for (const Block& block : layout.blocks) {
+      Short_integer& denominator = m_denominators.emplace_back(1);
+      for (int degree : block.degrees)
+        denominator *= common_binomial(degree);
+    }
     m_values.resize(layout.size);
   }
 
@@ -196,7 +200,7 @@ private:
   bool has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
   static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
   void add_function(const Spline_function& function, int index);
-  void prepare_binomials();
+  static Short_integer common_binomial(int degree);
 
   const std::vector<Short_integer>& piece(const Term& term, const Cell& cell) const
   {
@@ -262,18 +266,17 @@ void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, s
 {
   load(cell);
   m_exponents.assign(m_layout.blocks.size(), 0);
-  std::vector<Short_integer> powers;
+  std::vector<Short_integer> weights;
   for (int v = 0; v < m_layout.dimension; ++v) {
     const auto [begin, width, exponent] = common_dyadic<Short_integer>(lower[v], upper[v]);
     for (const Block_axis& axis : m_layout.blocks_of_axis[v]) {
       const Block& block = m_layout.blocks[axis.block];
       const int degree = axis.view.degree;
       const std::size_t inner = axis.view.inner;
-      powers = m_weights[axis.block][axis.position];
-      Short_integer power(1);
-      for (int k = 0; k <= degree; ++k) {
-        powers[k] *= power;
-        power *= width;
+      weights.assign(1, common_binomial(degree));   // lcm_i C(d,i) / C(d,k), times width^k
+      for (int k = 1; k <= degree; ++k) {
+        weights.push_back(weights.back() * k * width);
+        weights.back() /= degree - k + 1;
       }
       const std::size_t line = inner * (degree + 1);
       for (std::size_t o = 0; o < axis.view.outer; ++o)
@@ -286,7 +289,7 @@ void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, s
             for (int k = degree - 1; k >= r; --k)
               add_product(a[inner * k], begin, a[inner * (k + 1)]);
           for (int k = 0; k <= degree; ++k)
-            a[inner * k] *= powers[k];
+            a[inner * k] *= weights[k];
           for (int r = 1; r <= degree; ++r)
             for (int k = degree; k >= r; --k)
               a[inner * k] += a[inner * (k - 1)];

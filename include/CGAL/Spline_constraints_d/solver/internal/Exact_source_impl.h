@@ -45,7 +45,7 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
         extend_common_denominator(denominator, coefficient);
 
   for (const Spline_term& term : function.terms()) {
-    Term result;
+    Term& result = m_terms.emplace_back();
     result.function = index;
     for (result.block = 0;; ++result.block) {
       const Block& block = m_layout.blocks[result.block];
@@ -79,31 +79,16 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
           k[j] = 0;
       }
     }
-    m_terms.push_back(std::move(result));
   }
 }
 
-inline void Exact_source::prepare_binomials()
+// lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
+inline Short_integer Exact_source::common_binomial(int degree)
 {
-  for (const Block& block : m_layout.blocks) {
-    auto& weights = m_weights.emplace_back();
-    Short_integer product(1);
-    for (int degree : block.degrees) {
-      Short_integer common(1);   // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
-      for (int i = 2; i <= degree + 1; ++i)
-        common *= i / gcd(common, i);
-      common /= degree + 1;
-      std::vector<Short_integer> quotients(degree + 1, common);
-      for (int i = 1; i < degree; ++i) {
-        quotients[i] = quotients[i - 1];
-        quotients[i] *= i;
-        quotients[i] /= degree - i + 1;
-      }
-      weights.push_back(std::move(quotients));
-      product *= common;
-    }
-    m_denominators.push_back(product);
-  }
+  Short_integer common(1);
+  for (int i = 2; i <= degree + 1; ++i)
+    common *= i / gcd(common, i);
+  return common / (degree + 1);
 }
 
 inline bool Exact_source::multiply(const double* matrix, const std::vector<long>& scale)
