@@ -147,13 +147,13 @@ public:
   template <class Coordinate>
   void evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values);
 
-  // The same with a relative error below 2^-43, and faster.
+  // The same with errors that the values tell of, and faster.
   template <class Coordinate>
   void evaluate_closely(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
   {
     if constexpr (std::is_same_v<Coordinate, double>)
-      if (has_fixed_point(cell, point, point) && m_fixed_point.evaluate(point, values))
-        return;
+      if (has_fixed_point(cell, point, point))
+        return m_fixed_point.evaluate(point, values);
     evaluate(cell, point, values);
   }
 

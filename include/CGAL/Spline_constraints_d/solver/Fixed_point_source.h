@@ -19,11 +19,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// mantissa 2^exponent, with a relative error below 2^-43.
+// mantissa 2^exponent, with a relative error below 2^-43 and another one of `error` 2^exponent.
 struct Scaled_value
 {
   double mantissa;
   long exponent;
+  double error = 0;
 };
 
 /*
@@ -60,8 +61,8 @@ public:
   // As Exact_source::bernstein_coefficients(), for a box within the home box. Returns whether the error is as small as that of rounding to double.
   bool bernstein_coefficients(std::span<const double> lower, std::span<const double> upper, double* coefficients, double* errors, std::vector<long>& scale);
 
-  // The values at a point of the home box. Returns whether all errors are small beside the values.
-  bool evaluate(std::span<const double> point, std::vector<Scaled_value>& values);
+  // The values at a point of the home box.
+  void evaluate(std::span<const double> point, std::vector<Scaled_value>& values);
 
 private:
   void keep_lower_part(const Block_axis& axis, Unsigned_fixed_point t);
@@ -212,7 +213,7 @@ inline void Fixed_point_source::compute_basis(int degree, Unsigned_fixed_point t
   }
 }
 
-inline bool Fixed_point_source::evaluate(std::span<const double> point, std::vector<Scaled_value>& values)
+inline void Fixed_point_source::evaluate(std::span<const double> point, std::vector<Scaled_value>& values)
 {
   m_parameter.resize(m_layout.dimension);
   for (int v = 0; v < m_layout.dimension; ++v)
@@ -243,13 +244,9 @@ inline bool Fixed_point_source::evaluate(std::span<const double> point, std::vec
   }
   values.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {
-    const double value = approximate(m_sum[f]);
-    if (!(m_sum_error[f] <= 0x1p-44 * std::abs(value)))
-      return false;
     const int bits = bit_length(magnitude(m_sum[f]));
-    values[f] = {std::ldexp(value, -bits), m_unit[f] + bits};
+    values[f] = {std::ldexp(approximate(m_sum[f]), -bits), m_unit[f] + bits, std::ldexp(m_sum_error[f], -bits)};
   }
-  return true;
 }
 
 } // namespace internal

@@ -52,7 +52,7 @@ class Root_certification
   Local_box m_part;
   std::vector<Coordinate> m_corner[2];
   // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs about two of them.
-  static constexpr double m_fine_contraction = 0.05;
+  static constexpr double m_fine_contraction = 0.2;
 
 public:
   Root_certification(const System_layout& layout, Exact_source& source, Preconditioned_system<NT>& preconditioned, Root_collection<NT>& roots,

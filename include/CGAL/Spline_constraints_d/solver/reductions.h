@@ -154,7 +154,7 @@ public:
   {
     if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
       return false;
-    if (is_small_part(box))
+    if (linear.has_inverse() && is_small_part(box))
       return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
     if (!m_projection.contract(node, linear, box))
       return false;
@@ -174,13 +174,13 @@ private:
     return true;
   }
 
-  // So much is gained that the passes over the coefficients are better spent on what is left.
+  // So much is gained, a third of the width being left on the mean of the axes, that passes over the coefficients are better spent on what is left.
   static bool is_small_part(const Local_box& box)
   {
     double volume = 1;
     for (int j = 0; j < box.dimension(); ++j)
-      volume *= box.width(j);
-    return volume < 0.125;
+      volume *= 3 * box.width(j);
+    return volume < 1;
   }
 
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)
