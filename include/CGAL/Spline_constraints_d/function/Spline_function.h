@@ -137,16 +137,16 @@ inline void check(const Spline_term& term)
     throw Invalid_input("Spline_term: variables, degrees and breaks differ in number");
   std::size_t cells = 1;
   for (std::size_t j = 0; j < term.variables.size(); ++j) {
-    const std::string at = " (axis " + std::to_string(j) + ")";
+    const auto at = [&] { return " (axis " + std::to_string(j) + ")"; };
     if (term.variables[j] < 0 || (j > 0 && term.variables[j] <= term.variables[j - 1]))
-      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at);
+      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at());
     if (term.degrees[j] < 0)
-      throw Invalid_input("Spline_term: negative degree" + at);
+      throw Invalid_input("Spline_term: negative degree" + at());
     if (term.breaks[j].size() == 1)
-      throw Invalid_input("Spline_term: a single break" + at);
+      throw Invalid_input("Spline_term: a single break" + at());
     for (std::size_t k = 1; k < term.breaks[j].size(); ++k)
       if (!(term.breaks[j][k - 1] < term.breaks[j][k]))
-        throw Invalid_input("Spline_term: breaks must increase" + at + ", break " + std::to_string(k));
+        throw Invalid_input("Spline_term: breaks must increase" + at() + ", break " + std::to_string(k));
     cells *= term.cells(j);
   }
   if (term.pieces.size() != cells)
@@ -358,10 +358,9 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
       if (begin != 0 || end != 1)
         internal::substitute_range(power, denominator, term.degrees, j, begin, end);
     }
-    std::vector<Exact_rational>& piece = term.pieces.emplace_back();
-    piece.reserve(power.size());
-    for (const internal::Short_integer& numerator : power)
-      piece.push_back(internal::quotient(numerator, denominator));
+    std::vector<Exact_rational>& piece = term.pieces.emplace_back(power.size());
+    for (std::size_t k = 0; k < power.size(); ++k)
+      internal::set_quotient(piece[k], power[k], denominator);
   }
   return Spline_function(std::move(term));
 }

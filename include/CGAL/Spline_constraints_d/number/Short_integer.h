@@ -338,22 +338,21 @@ inline Short_integer numerator_over(const Exact_rational& value, const Short_int
   return numerator;
 }
 
-// numerator / denominator, exactly. \pre denominator > 0
-inline Exact_rational quotient(const Short_integer& numerator, const Short_integer& denominator)
+// target = numerator / denominator, exactly. \pre denominator > 0
+inline void set_quotient(Exact_rational& target, const Short_integer& numerator, const Short_integer& denominator)
 {
   if constexpr (Writable_as_mpq<Exact_rational>) {
-    Exact_rational result;
-    mpq_ptr target = writable_mpq_of(result);
-    mpz_set(mpq_numref(target), Short_integer::View(numerator));
-    if (is_power_of_two(denominator))
-      mpq_div_2exp(target, target, static_cast<unsigned long>(bit_length(denominator) - 1));
-    else {
-      mpz_set(mpq_denref(target), Short_integer::View(denominator));
-      mpq_canonicalize(target);
+    mpq_ptr value = writable_mpq_of(target);
+    mpz_set(mpq_numref(value), Short_integer::View(numerator));
+    if (is_power_of_two(denominator)) {
+      mpz_set_ui(mpq_denref(value), 1);
+      mpq_div_2exp(value, value, static_cast<unsigned long>(bit_length(denominator) - 1));
+    } else {
+      mpz_set(mpq_denref(value), Short_integer::View(denominator));
+      mpq_canonicalize(value);
     }
-    return result;
   } else
-    return quotient(numerator.to_big_integer(), denominator.to_big_integer());
+    target = quotient(numerator.to_big_integer(), denominator.to_big_integer());
 }
 
 } // namespace internal

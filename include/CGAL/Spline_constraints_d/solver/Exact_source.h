@@ -38,8 +38,7 @@ class Exact_source
     int function;
     std::size_t block;
     std::size_t member;                            // place of the function in the block
-    std::vector<std::vector<int>> cell_of;         // per axis: cell of the system -> cell of the term
-    std::vector<std::size_t> cells;                // per axis
+    std::vector<std::vector<std::size_t>> offsets;   // per axis with breaks, of a cell of the system: of its piece; no axis: there is one piece
     std::vector<std::vector<Short_integer>> pieces;  // padded to the degrees of the block
   };
 
@@ -205,9 +204,9 @@ private:
   const std::vector<Short_integer>& piece(const Term& term, const Cell& cell) const
   {
     std::size_t index = 0;
-    const std::vector<int>& axes = m_layout.blocks[term.block].axes;
-    for (std::size_t j = 0; j < axes.size(); ++j)
-      index = index * term.cells[j] + (term.cell_of[j].empty() ? 0 : term.cell_of[j][cell[axes[j]]]);
+    for (std::size_t j = 0; j < term.offsets.size(); ++j)
+      if (!term.offsets[j].empty())
+        index += term.offsets[j][cell[m_layout.blocks[term.block].axes[j]]];
     return term.pieces[index];
   }
 };

@@ -61,10 +61,7 @@ public:
   bool contract_by_equations(Node_view& node, Local_box& box) const
   {
     const double* slopes = node.slopes(0);
-    for (int i = 0; i < m_equations; ++i)
-      if (!contract_by_row(slopes + i * m_dimension, node.rest_lower(i), node.rest_upper(i), box))
-        return false;
-    return true;
+    return contract_by_rows(slopes, [&](int i) { return std::pair(node.rest_lower(i), node.rest_upper(i)); }, box);
   }
 
   //! forms the preconditioned rows.
@@ -73,10 +70,7 @@ public:
   //! contracts the box by the preconditioned rows; false when no solution is left.
   bool contract_by_preconditioned(Local_box& box) const
   {
-    for (int i = 0; i < m_equations; ++i)
-      if (!contract_by_row(m_product.data() + i * m_dimension, m_lower[i], m_upper[i], box))
-        return false;
-    return true;
+    return contract_by_rows(m_product.data(), [&](int i) { return std::pair(m_lower[i], m_upper[i]); }, box);
   }
 
   //! number of unknowns.
@@ -112,36 +106,61 @@ public:
   }
 
 private:
-  // `size`: the number of equations and of unknowns, known to the compiler; 0: not known.
+  // run(integral_constant<int, size>), with the number of equations and of unknowns known to the compiler; 0: not known.
+  template <class Run>
+  void run_with_size(const Run& run) const
+  {
+    constexpr int largest = 4;   // beyond, it does not matter
+    internal::run_with_constant<largest>(m_dimension == m_equations ? m_dimension : 0, run);
+  }
+
+  // `rest(i)`: the bounds of what the row leaves of an equation.
+  template <class Rest>
+  bool contract_by_rows(const double* rows, const Rest& rest, Local_box& box) const
+  {
+    bool is_left = true;
+    run_with_size([&](auto size) {
+      const int n = size > 0 ? size : m_dimension;
+      for (int i = 0; i < m_equations && is_left; ++i) {
+        const auto [lower, upper] = rest(i);
+        is_left = contract_by_row<size>(rows + i * n, lower, upper, box);
+      }
+    });
+    return is_left;
+  }
+
   template <int size>
   void eliminate(Node_view& node);
   template <int size>
   void multiply(Node_view& node);
   void bound_unknowns();
+  template <int size>
   bool contract_by_row(const double* row, double lower, double upper, Local_box& box) const;
 };
 
 // 0 = row s + [lower, upper]: each unknown lies in what the others leave it.
-inline bool Linear_enclosure::contract_by_row(const double* row, double lower, double upper, Local_box& box) const
+template <int size>
+bool Linear_enclosure::contract_by_row(const double* row, double lower, double upper, Local_box& box) const
 {
-  double sum_lower = lower, sum_upper = upper, size = (std::max)(std::abs(lower), std::abs(upper));
-  for (int k = 0; k < m_dimension; ++k) {
+  const int n = size > 0 ? size : m_dimension;
+  double sum_lower = lower, sum_upper = upper, row_size = (std::max)(std::abs(lower), std::abs(upper));
+  for (int k = 0; k < n; ++k) {
     const double a = row[k];
     if (a == 0)
       continue;
     const double u = a * box.lower[k], v = a * box.upper[k];
     sum_lower += (std::min)(u, v);
     sum_upper += (std::max)(u, v);
-    size += std::abs(a);
+    row_size += std::abs(a);
   }
-  const double error = internal::analysis_error * size;
+  const double error = internal::analysis_error * row_size;
   sum_lower -= error;
   sum_upper += error;
   if (sum_lower > 0 || sum_upper < 0)
     return false;
-  for (int k = 0; k < m_dimension; ++k) {
+  for (int k = 0; k < n; ++k) {
     const double a = row[k];
-    if (std::abs(a) * 0x1p30 < size)
+    if (std::abs(a) * 0x1p30 < row_size)
       continue;
     // a s_k in -[sum without its own part]; taking the part out again doubles the rounding error at most
     const double u = a * box.lower[k], v = a * box.upper[k], own_lower = (std::min)(u, v), own_upper = (std::max)(u, v);
@@ -160,8 +179,7 @@ inline bool Linear_enclosure::contract_by_row(const double* row, double lower, d
 
 inline void Linear_enclosure::precondition(Node_view& node)
 {
-  constexpr int largest = 4;   // beyond, it does not matter that the compiler knows the size
-  internal::run_with_constant<largest>(m_dimension == m_equations ? m_dimension : 0, [&](auto size) {
+  run_with_size([&](auto size) {
     eliminate<size>(node);
     multiply<size>(node);
   });

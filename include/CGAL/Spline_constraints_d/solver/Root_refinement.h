@@ -130,7 +130,7 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::vector<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
   std::vector<Coordinate> m_point, m_last_point, m_best;
 
 public:
@@ -186,6 +186,8 @@ public:
       }
     }
     Root_enclosure<Coordinate> result;
+    result.lower.reserve(n);
+    result.upper.reserve(n);
     for (int j = 0; j < n; ++j) {
       const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
       result.lower.push_back((std::max)(below(m_best[j], radius), region.lower[j]));   // beyond the region there may be others
@@ -248,15 +250,21 @@ private:
   bool form_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
+    m_value.resize(m);
+    m_value_error.resize(m);
+    for (int i = 0; i < m; ++i) {
+      const double unit = std::ldexp(1.0, static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L))));
+      m_value[i] = m_values[i].mantissa * unit;   // not a number, if zero times infinity: then nothing is known, as of infinity itself
+      m_value_error[i] = m_values[i].error * unit;
+    }
     bool is_fine = true;
     for (int j = 0; j < n; ++j) {
       double step = 0, size = 0, error = 0;
       for (int i = 0; i < m; ++i) {
-        const int exponent = static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L)));
-        const double factor = region.inverse[j * m + i], value = std::ldexp(m_values[i].mantissa, exponent);
-        step += factor * value;
-        size += std::abs(factor) * (std::abs(value) + 0x1p-900);
-        error += std::abs(factor) * std::ldexp(m_values[i].error, exponent);
+        const double factor = region.inverse[j * m + i];
+        step += factor * m_value[i];
+        size += std::abs(factor) * (std::abs(m_value[i]) + 0x1p-900);
+        error += std::abs(factor) * m_value_error[i];
       }
       m_step[j] = step;
       m_step_error[j] = 0x1p-42 * size + error * (1 + 0x1p-40);   // of the values, and of the sum

@@ -56,15 +56,16 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
       }
     }
     const Block& block = m_layout.blocks[result.block];
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      result.cells.push_back(term.cells(j));
-      std::vector<int>& cell_of = result.cell_of.emplace_back();
+    if (term.pieces.size() > 1)
+      result.offsets.resize(term.variables.size());
+    std::size_t stride = 1;
+    for (std::size_t j = result.offsets.size(); j-- > 0; stride *= term.cells(j)) {
       const std::vector<Exact_rational>& breaks = m_breaks[term.variables[j]];
       if (!term.breaks[j].empty())
         for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
           const auto next = std::upper_bound(term.breaks[j].begin(), term.breaks[j].end(), breaks[k]);
-          const int local = static_cast<int>(next - term.breaks[j].begin()) - 1;
-          cell_of.push_back((std::min)(local, static_cast<int>(term.cells(j)) - 1));
+          const std::size_t cell = next - term.breaks[j].begin() - 1;
+          result.offsets[j].push_back(stride * (std::min)(cell, term.cells(j) - 1));
         }
     }
     for (const auto& coefficients : term.pieces) {
