@@ -174,12 +174,12 @@ private:
     return true;
   }
 
-  // So much is gained, a third of the width being left on the mean of the axes, that passes over the coefficients are better spent on what is left.
+  // So much is gained, half of the width being left on the mean of the axes, that passes over the coefficients are better spent on what is left.
   static bool is_small_part(const Local_box& box)
   {
     double volume = 1;
     for (int j = 0; j < box.dimension(); ++j)
-      volume *= 3 * box.width(j);
+      volume *= 2 * box.width(j);
     return volume < 1;
   }
 
