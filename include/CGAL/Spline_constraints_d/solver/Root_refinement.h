@@ -254,8 +254,9 @@ private:
     m_value_error.resize(m);
     for (int i = 0; i < m; ++i) {
       const double unit = std::ldexp(1.0, static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L))));
-      m_value[i] = m_values[i].mantissa * unit;   // not a number, if zero times infinity: then nothing is known, as of infinity itself
-      m_value_error[i] = m_values[i].error * unit;
+      const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };   // infinity, beyond the range of double, is no value of zero
+      m_value[i] = scaled(m_values[i].mantissa);
+      m_value_error[i] = scaled(m_values[i].error);
     }
     bool is_fine = true;
     for (int j = 0; j < n; ++j) {
