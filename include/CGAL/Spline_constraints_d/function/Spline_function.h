@@ -86,7 +86,7 @@ public:
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                             const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
 
-  //! the same with control points in doubles, which are exact numbers.
+  //! the same with control points in doubles, which are exact numbers. \throws Invalid_input likewise.
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<double>>& pieces);
 
   //! one polynomial everywhere, given by its Bernstein coefficients on the unit box; axis `j` belongs to the unknown `variables[j]`.
