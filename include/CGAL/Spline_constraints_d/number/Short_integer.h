@@ -129,7 +129,7 @@ public:
   Short_integer& operator*=(const Short_integer& other)
   {
     Two_words result;
-    if (!is_short_with(other) || __builtin_mul_overflow(m_words, other.m_words, &result))
+    if (!is_short_with(other) || !multiply(m_words, other.m_words, result))
       return apply(mpz_mul, other);
     m_words = result;
     return *this;
@@ -173,7 +173,7 @@ public:
   friend void add_product(Short_integer& sum, const Short_integer& a, const Short_integer& b)
   {
     Two_words product, total;
-    if (sum.is_short_with(a) && !b.m_is_long && !__builtin_mul_overflow(a.m_words, b.m_words, &product) && !__builtin_add_overflow(sum.m_words, product, &total)) {
+    if (sum.is_short_with(a) && !b.m_is_long && multiply(a.m_words, b.m_words, product) && !__builtin_add_overflow(sum.m_words, product, &total)) {
       sum.m_words = total;
       return;
     }

@@ -27,6 +27,15 @@ constexpr int bit_length(Unsigned_two_words value)
   return upper != 0 ? 64 + static_cast<int>(std::bit_width(upper)) : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
+// Fills in the product unless it may be too long: it has at most as many bits as the factors together. (Not by the builtin function, for which clang needs a library of its own.)
+constexpr bool multiply(Two_words a, Two_words b, Two_words& product)
+{
+  if (bit_length(magnitude(a)) + bit_length(magnitude(b)) > 127)
+    return false;
+  product = a * b;
+  return true;
+}
+
 // With a relative error below 2^-52, whatever the rounding mode: the leading 64 bits are converted, which are all that they fill.
 inline double approximate(Unsigned_two_words value)
 {
