@@ -15,17 +15,15 @@ namespace peers {
 namespace {
 
 namespace SC = CGAL::Spline_constraints;
-using SC::Exact_rational;
 
 SC::Spline_function coordinate(const Bezier_curve& curve, double Control_point::*axis, int unknown)
 {
-  std::vector<Exact_rational> coefficients;
+  std::vector<double> coefficients;
+  coefficients.reserve(curve.size());
   for (const Control_point& p : curve)
-    coefficients.emplace_back(p.*axis);
+    coefficients.push_back(p.*axis);
   const int degree = static_cast<int>(curve.size()) - 1;
-  std::vector<SC::Bernstein_tensor<Exact_rational>> piece;
-  piece.emplace_back(std::vector<int>{degree}, std::move(coefficients));
-  return SC::Spline_function::from_bezier_pieces({unknown}, {{0, 1}}, piece);
+  return SC::Spline_function::from_bernstein({unknown}, SC::Bernstein_tensor<double>({degree}, std::move(coefficients)));
 }
 
 SC::Constraint_system_d intersection_system(const Bezier_curve& a, const Bezier_curve& b)

@@ -6,14 +6,16 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Short_integer.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,6 +86,14 @@ public:
   static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
                                             const std::vector<Bernstein_tensor<Exact_rational>>& pieces);
 
+  //! the same with control points in doubles, which are exact numbers. \throws Invalid_input likewise.
+  static Spline_function from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, const std::vector<Bernstein_tensor<double>>& pieces);
+
+  //! one polynomial everywhere, given by its Bernstein coefficients on the unit box; axis `j` belongs to the unknown `variables[j]`.
+  //! \throws Invalid_input when sizes do not match or variables do not increase.
+  static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial);
+  static Spline_function from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial);
+
   //! the summands.
   const std::vector<Spline_term>& terms() const { return m_terms; }
 
@@ -113,6 +123,10 @@ public:
           coefficient = -coefficient;
     return std::move(a += std::move(b));
   }
+
+private:
+  template <class NT>
+  static Spline_function from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces);
 };
 
 namespace internal {
@@ -123,16 +137,16 @@ inline void check(const Spline_term& term)
     throw Invalid_input("Spline_term: variables, degrees and breaks differ in number");
   std::size_t cells = 1;
   for (std::size_t j = 0; j < term.variables.size(); ++j) {
-    const std::string at = " (axis " + std::to_string(j) + ")";
+    const auto at = [&] { return " (axis " + std::to_string(j) + ")"; };
     if (term.variables[j] < 0 || (j > 0 && term.variables[j] <= term.variables[j - 1]))
-      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at);
+      throw Invalid_input("Spline_term: variables must increase and be non-negative" + at());
     if (term.degrees[j] < 0)
-      throw Invalid_input("Spline_term: negative degree" + at);
+      throw Invalid_input("Spline_term: negative degree" + at());
     if (term.breaks[j].size() == 1)
-      throw Invalid_input("Spline_term: a single break" + at);
+      throw Invalid_input("Spline_term: a single break" + at());
     for (std::size_t k = 1; k < term.breaks[j].size(); ++k)
       if (!(term.breaks[j][k - 1] < term.breaks[j][k]))
-        throw Invalid_input("Spline_term: breaks must increase" + at + ", break " + std::to_string(k));
+        throw Invalid_input("Spline_term: breaks must increase" + at() + ", break " + std::to_string(k));
     cells *= term.cells(j);
   }
   if (term.pieces.size() != cells)
@@ -173,16 +187,16 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
 }
 
 // Bernstein coefficients to coefficients of powers, along one axis of a tensor of integers: binomials times differences.
-inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
+inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
 {
   const int degree = degrees[axis];
-  std::vector<Big_integer> binomials(degree + 1, Big_integer(1));
+  std::vector<Short_integer> binomials(degree + 1, Short_integer(1));
   for (int k = 1; k < degree; ++k) {
     binomials[k] = binomials[k - 1];
     binomials[k] *= degree - k + 1;
     binomials[k] /= k;
   }
-  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
     for (int r = 1; r <= degree; ++r)
       for (int k = degree; k >= r; --k)
         a[step * k] -= a[step * (k - 1)];
@@ -191,25 +205,53 @@ inline void bernstein_to_power(std::vector<Big_integer>& coefficients, const std
   });
 }
 
+// Numbers over their common denominator, which is returned.
+inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers, std::vector<Short_integer>& numerators)
+{
+  Short_integer denominator(1);
+  for (const Exact_rational& number : numbers)
+    extend_common_denominator(denominator, number);
+  numerators.clear();
+  for (const Exact_rational& number : numbers)
+    numerators.push_back(numerator_over(number, denominator));
+  return denominator;
+}
+
+inline Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators)
+{
+  long finest = 0;
+  for (double number : numbers)
+    finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
+  numerators.clear();
+  for (double number : numbers) {
+    auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
+    shift_left(mantissa, static_cast<unsigned long>(exponent - finest));
+    numerators.push_back(std::move(mantissa));
+  }
+  Short_integer denominator(1);
+  shift_left(denominator, static_cast<unsigned long>(-finest));
+  return denominator;
+}
+
 /*
 Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
 that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
 */
-inline void substitute_range(std::vector<Big_integer>& coefficients, Big_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
+inline void substitute_range(std::vector<Short_integer>& coefficients, Short_integer& denominator, const std::vector<int>& degrees, std::size_t axis,
                              const Exact_rational& begin, const Exact_rational& end)
 {
   const int degree = degrees[axis];
-  Big_integer unit(1);
+  Short_integer unit(1);
   extend_common_denominator(unit, begin);
   extend_common_denominator(unit, end);
-  const Big_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
-  std::vector<Big_integer> powers_of_width(1, Big_integer(1)), powers_of_unit(1, Big_integer(1));
+  const Short_integer offset = -numerator_over(begin, unit), width = numerator_over(end, unit) + offset;
+  std::vector<Short_integer> powers_of_width(1, Short_integer(1)), powers_of_unit(1, Short_integer(1));
   for (int k = 1; k <= degree; ++k) {
     powers_of_width.push_back(powers_of_width.back() * width);
     powers_of_unit.push_back(powers_of_unit.back() * unit);
   }
   denominator *= powers_of_width.back();
-  visit_rows(coefficients, degrees, axis, [&](Big_integer* a, std::size_t step) {
+  visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
     for (int k = 0; k <= degree; ++k)
       a[step * k] *= powers_of_width[degree - k];
     for (int r = 0; r < degree; ++r)
@@ -278,9 +320,9 @@ inline Spline_function::Spline_function(const Power_polynomial& polynomial)
   }
 }
 
-inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables,
-                                                           std::vector<std::vector<Exact_rational>> breaks,
-                                                           const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
+// Where an axis has no breaks, the piece belongs to the unit interval, and goes on beyond it.
+template <class NT>
+Spline_function Spline_function::from_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks, std::span<const Bernstein_tensor<NT>> pieces)
 {
   Spline_term term;
   term.variables = std::move(variables);
@@ -295,35 +337,67 @@ inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> vari
     for (std::size_t j = 0; j < dimension; ++j)
       term.degrees[j] = (std::max)(term.degrees[j], piece.degrees()[j]);
   }
-  for (std::size_t j = 0; j < dimension; ++j)
-    if (term.breaks[j].size() < 2)
-      throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
+  term.pieces.reserve(pieces.size());
+  std::vector<internal::Short_integer> power;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    const bool has_degrees = pieces[c].degrees() == term.degrees;
-    const std::vector<Exact_rational> elevated = has_degrees ? std::vector<Exact_rational>() : pieces[c].elevated(term.degrees).coefficients();
-    const std::vector<Exact_rational>& bernstein = has_degrees ? pieces[c].coefficients() : elevated;
-    internal::Big_integer denominator(1);
-    for (const Exact_rational& coefficient : bernstein)
-      internal::extend_common_denominator(denominator, coefficient);
-    std::vector<internal::Big_integer> power;
-    power.reserve(bernstein.size());
-    for (const Exact_rational& coefficient : bernstein)
-      power.push_back(internal::numerator_over(coefficient, denominator));
+    const std::vector<NT>& bernstein = pieces[c].coefficients();
+    internal::Short_integer denominator;
+    if (pieces[c].degrees() == term.degrees)
+      denominator = internal::over_common_denominator(bernstein, power);
+    else
+      denominator = internal::over_common_denominator(
+        Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees).coefficients(), power);
     std::size_t rest = c;
     for (std::size_t j = dimension; j-- > 0;) {
+      internal::bernstein_to_power(power, term.degrees, j);
+      if (term.breaks[j].empty())
+        continue;
       const std::size_t cell = rest % term.cells(j);
       rest /= term.cells(j);
       const Exact_rational &begin = term.breaks[j][cell], &end = term.breaks[j][cell + 1];
-      internal::bernstein_to_power(power, term.degrees, j);
       if (begin != 0 || end != 1)
         internal::substitute_range(power, denominator, term.degrees, j, begin, end);
     }
-    std::vector<Exact_rational>& piece = term.pieces.emplace_back();
-    piece.reserve(power.size());
-    for (const internal::Big_integer& numerator : power)
-      piece.push_back(internal::quotient(numerator, denominator));
+    std::vector<Exact_rational>& piece = term.pieces.emplace_back(power.size());
+    for (std::size_t k = 0; k < power.size(); ++k)
+      internal::set_quotient(piece[k], power[k], denominator);
   }
   return Spline_function(std::move(term));
+}
+
+namespace internal {
+
+inline void check_breaks_of_pieces(const std::vector<std::vector<Exact_rational>>& breaks)
+{
+  for (std::size_t j = 0; j < breaks.size(); ++j)
+    if (breaks[j].size() < 2)
+      throw Invalid_input("Spline_function: fewer than two breaks on axis " + std::to_string(j));
+}
+
+} // namespace internal
+
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                                           const std::vector<Bernstein_tensor<Exact_rational>>& pieces)
+{
+  internal::check_breaks_of_pieces(breaks);
+  return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
+}
+
+inline Spline_function Spline_function::from_bezier_pieces(std::vector<int> variables, std::vector<std::vector<Exact_rational>> breaks,
+                                                           const std::vector<Bernstein_tensor<double>>& pieces)
+{
+  internal::check_breaks_of_pieces(breaks);
+  return from_pieces(std::move(variables), std::move(breaks), std::span(pieces));
+}
+
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<Exact_rational>& polynomial)
+{
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
+}
+
+inline Spline_function Spline_function::from_bernstein(std::vector<int> variables, const Bernstein_tensor<double>& polynomial)
+{
+  return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
 }
 
 } // namespace Spline_constraints

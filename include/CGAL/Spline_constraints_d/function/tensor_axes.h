@@ -18,6 +18,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -97,18 +98,18 @@ inline std::pair<NT, NT> least_and_greatest(const std::vector<NT>& numbers)
 
 // Throws unless all numbers are finite; the message names the first that is not.
 template <class NT>
-inline void check_finite(const std::vector<NT>& numbers, const std::string& what)
+inline void check_finite(const std::vector<NT>& numbers, std::string_view what)
 {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!is_finite_number(numbers[i]))
-      throw Invalid_input(what + " " + std::to_string(i) + " is not a finite number");
+      throw Invalid_input(std::string(what) + " " + std::to_string(i) + " is not a finite number");
 }
 
 // Throws unless two counts agree.
-inline void check_count(std::size_t count, std::size_t expected, const std::string& what)
+inline void check_count(std::size_t count, std::size_t expected, std::string_view what)
 {
   if (count != expected)
-    throw Invalid_input(what + ": " + std::to_string(count) + " where " + std::to_string(expected) + " are needed");
+    throw Invalid_input(std::string(what) + ": " + std::to_string(count) + " where " + std::to_string(expected) + " are needed");
 }
 
 // Number of entries of a tensor with these degrees.
@@ -122,16 +123,16 @@ inline std::size_t tensor_size(const std::vector<int>& degrees)
 
 // The same for degrees that come from outside: throws when one is negative or the size cannot be represented.
 template <class NT>
-inline std::size_t checked_tensor_size(const std::vector<int>& degrees, const std::string& who)
+inline std::size_t checked_tensor_size(const std::vector<int>& degrees, std::string_view who)
 {
   const std::size_t limit = static_cast<std::size_t>((std::numeric_limits<std::ptrdiff_t>::max)()) / sizeof(NT);
   std::size_t size = 1;
   for (std::size_t j = 0; j < degrees.size(); ++j) {
     if (degrees[j] < 0)
-      throw Invalid_input(who + ": degree " + std::to_string(degrees[j]) + " of axis " + std::to_string(j) + " is negative");
+      throw Invalid_input(std::string(who) + ": degree " + std::to_string(degrees[j]) + " of axis " + std::to_string(j) + " is negative");
     const std::size_t extent = static_cast<std::size_t>(degrees[j]) + 1;
     if (size > limit / extent)
-      throw Invalid_input(who + ": too many coefficients (overflow at axis " + std::to_string(j) + ")");
+      throw Invalid_input(std::string(who) + ": too many coefficients (overflow at axis " + std::to_string(j) + ")");
     size *= extent;
   }
   return size;

@@ -129,15 +129,20 @@ inline long bit_length(const Big_integer& value)
   return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.backend().data(), 2));
 }
 
+// mantissa 2^exponent, with any exponent. \pre the mantissa is zero, or of a size in [1/2, 1)
+inline double scaled_mantissa(double mantissa, long exponent)
+{
+  if (mantissa == 0 || exponent < -1070)
+    return 0;
+  return std::ldexp(mantissa, exponent > 1024 ? 2000 : static_cast<int>(exponent));
+}
+
 // value 2^exponent, truncated: relative error below 2^-52, whatever the rounding mode.
 inline double to_scaled_double(const Big_integer& value, long exponent)
 {
   long own_exponent = 0;
   const double mantissa = mpz_get_d_2exp(&own_exponent, value.backend().data());
-  const long total = own_exponent + exponent;
-  if (mantissa == 0 || total < -1070)
-    return 0;
-  return std::ldexp(mantissa, total > 1024 ? 2000 : static_cast<int>(total));
+  return scaled_mantissa(mantissa, own_exponent + exponent);
 }
 
 inline double approximate(const Big_integer& value) { return to_scaled_double(value, 0); }
@@ -189,31 +194,34 @@ inline Exact_rational quotient(const Big_integer& numerator, const Big_integer& 
 }
 
 // A dyadic number as mantissa 2^exponent.
-inline std::pair<Big_integer, long> to_dyadic(double value)
+template <class Integer = Big_integer>
+std::pair<Integer, long> to_dyadic(double value)
 {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
   if (mantissa == 0)
-    return {Big_integer(0), 0};
+    return {Integer(0), 0};
   long long integer = static_cast<long long>(std::ldexp(mantissa, 53));
   const int zeros = __builtin_ctzll(static_cast<unsigned long long>(integer));
-  return {Big_integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
+  return {Integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
 }
 
 inline bool is_dyadic(const Exact_rational& value) { return mpz_popcount(denominator_of(value).backend().data()) == 1; }
 
 // \pre the denominator is a power of two
-inline std::pair<Big_integer, long> to_dyadic(const Exact_rational& value)
+template <class Integer = Big_integer>
+std::pair<Integer, long> to_dyadic(const Exact_rational& value)
 {
   const Big_integer denominator = denominator_of(value);
   CGAL_precondition(mpz_popcount(denominator.backend().data()) == 1);
-  return {numerator_of(value), 1 - bit_length(denominator)};
+  return {Integer(numerator_of(value)), 1 - bit_length(denominator)};
 }
 
 // A sum of dyadic numbers in the finest of their units.
+template <class Integer>
 class Dyadic_sum
 {
-  Big_integer m_sum, m_shifted;
+  Integer m_sum = 0, m_shifted;
   long m_unit = 0;
 
 public:
@@ -224,7 +232,7 @@ public:
   }
 
   // Adds value 2^exponent.
-  void add(const Big_integer& value, long exponent)
+  void add(const Integer& value, long exponent)
   {
     if (exponent < m_unit) {
       shift_left(m_sum, static_cast<unsigned long>(m_unit - exponent));
@@ -236,26 +244,27 @@ public:
     }
   }
 
-  const Big_integer& mantissa() const { return m_sum; }
+  const Integer& mantissa() const { return m_sum; }
   long exponent() const { return m_unit; }
 };
 
 // Two dyadic numbers over one power of two: lower = begin 2^exponent, upper = (begin + width) 2^exponent; exponent <= 0.
+template <class Integer>
 struct Common_dyadic
 {
-  Big_integer begin, width;
+  Integer begin, width;
   long exponent;
 };
 
-template <class Coordinate>
-Common_dyadic common_dyadic(const Coordinate& lower, const Coordinate& upper)
+template <class Integer = Big_integer, class Coordinate>
+Common_dyadic<Integer> common_dyadic(const Coordinate& lower, const Coordinate& upper)
 {
-  auto [a, e] = to_dyadic(lower);
-  auto [b, f] = to_dyadic(upper);
+  auto [a, e] = to_dyadic<Integer>(lower);
+  auto [b, f] = to_dyadic<Integer>(upper);
   const long exponent = (std::min)({e, f, 0L});
   shift_left(a, static_cast<unsigned long>(e - exponent));
   shift_left(b, static_cast<unsigned long>(f - exponent));
-  return {a, Big_integer(b - a), exponent};
+  return {a, Integer(b - a), exponent};
 }
 
 } // namespace internal

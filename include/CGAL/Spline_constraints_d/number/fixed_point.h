@@ -4,12 +4,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_FIXED_POINT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_FIXED_POINT_H
 
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Spline_constraints_d/number/Short_integer.h>
+#include <CGAL/Spline_constraints_d/number/two_words.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -21,8 +19,8 @@ namespace internal {
 Fixed-point arithmetic in two machine words, for sums and products whose errors are counted in units. Values are integers of up to `fixed_point_bits` bits, with room for a
 difference; factors in [0,1] are multiples of 2^-127.
 */
-__extension__ typedef __int128 Fixed_point;
-__extension__ typedef unsigned __int128 Unsigned_fixed_point;
+using Fixed_point = Two_words;
+using Unsigned_fixed_point = Unsigned_two_words;
 
 constexpr long fixed_point_bits = 124;
 constexpr Unsigned_fixed_point fixed_point_one = Unsigned_fixed_point(1) << 127;
@@ -45,43 +43,11 @@ constexpr Fixed_point multiplied(Fixed_point value, Unsigned_fixed_point factor)
   return static_cast<Fixed_point>((value < 0 ? upper - factor : upper) << 1);
 }
 
-constexpr Unsigned_fixed_point magnitude(Fixed_point value)
+// The quotient of two integers times 2^shift, truncated. \pre denominator > 0, and the quotient has at most 127 bits
+inline Fixed_point fixed_point_quotient(const Short_integer& numerator, long shift, const Short_integer& denominator)
 {
-  return value < 0 ? -static_cast<Unsigned_fixed_point>(value) : static_cast<Unsigned_fixed_point>(value);
-}
-
-constexpr int bit_length(Unsigned_fixed_point value)
-{
-  const std::uint64_t upper = static_cast<std::uint64_t>(value >> 64);
-  return upper != 0 ? 64 + static_cast<int>(std::bit_width(upper)) : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
-}
-
-// With a relative error below 2^-52, whatever the rounding mode: the leading 64 bits are converted, which are all that they fill.
-inline double approximate(Unsigned_fixed_point value)
-{
-  const int bits = bit_length(value), shift = bits > 64 ? bits - 64 : 0;
-  return std::ldexp(static_cast<double>(static_cast<std::uint64_t>(value >> shift)), shift);
-}
-
-inline double approximate(Fixed_point value) { return value < 0 ? -approximate(magnitude(value)) : approximate(magnitude(value)); }
-
-// The quotient of two integers, truncated. \pre denominator > 0, and the quotient has at most 127 bits
-inline Unsigned_fixed_point unsigned_quotient(const Big_integer& numerator, const Big_integer& denominator)
-{
-  static_assert(sizeof(mp_limb_t) == sizeof(std::uint64_t));
-  Big_integer quotient;
-  if (mpz_popcount(denominator.backend().data()) == 1)
-    mpz_tdiv_q_2exp(quotient.backend().data(), numerator.backend().data(), static_cast<unsigned long>(bit_length(denominator) - 1));
-  else
-    mpz_tdiv_q(quotient.backend().data(), numerator.backend().data(), denominator.backend().data());
-  CGAL_assertion(bit_length(quotient) <= 128);
-  return Unsigned_fixed_point(mpz_getlimbn(quotient.backend().data(), 0)) | Unsigned_fixed_point(mpz_getlimbn(quotient.backend().data(), 1)) << 64;
-}
-
-inline Fixed_point fixed_point_quotient(const Big_integer& numerator, const Big_integer& denominator)
-{
-  const Fixed_point quotient = static_cast<Fixed_point>(unsigned_quotient(numerator, denominator));
-  return numerator < 0 ? -quotient : quotient;
+  const Fixed_point quotient = static_cast<Fixed_point>(scaled_quotient(numerator, shift, denominator));
+  return numerator.sign() < 0 ? -quotient : quotient;
 }
 
 // A range [lower, upper] of doubles that is mapped to factors.
@@ -98,8 +64,8 @@ public:
   // \pre lower < upper
   Fixed_point_range(double lower, double upper) : m_lower(lower), m_upper(upper)
   {
-    const Common_dyadic range = common_dyadic(lower, upper);
-    m_is_power = mpz_popcount(range.width.backend().data()) == 1;
+    const auto range = common_dyadic<Short_integer>(lower, upper);
+    m_is_power = is_power_of_two(range.width);
     if (m_is_power) {
       m_log_width = bit_length(range.width) - 1 + range.exponent;
       m_begin = scaled(lower);
@@ -113,17 +79,12 @@ public:
       return x == m_lower ? 0 : fixed_point_one;
     if (m_is_power)
       return scaled(x) - m_begin;
-    auto [begin, b] = to_dyadic(m_lower);
-    auto [end, e] = to_dyadic(m_upper);
-    auto [place, p] = to_dyadic(x);
-    const long exponent = (std::min)({b, e, p});
-    shift_left(begin, static_cast<unsigned long>(b - exponent));
-    shift_left(end, static_cast<unsigned long>(e - exponent));
-    shift_left(place, static_cast<unsigned long>(p - exponent));
-    place -= begin;
-    end -= begin;
-    shift_left(place, 127);
-    return unsigned_quotient(place, end);
+    auto [begin, width, exponent] = common_dyadic<Short_integer>(m_lower, m_upper);
+    auto [place, own_exponent] = to_dyadic<Short_integer>(x);
+    shift_left(begin, static_cast<unsigned long>((std::max)(exponent - own_exponent, 0L)));
+    shift_left(width, static_cast<unsigned long>((std::max)(exponent - own_exponent, 0L)));
+    shift_left(place, static_cast<unsigned long>((std::max)(own_exponent - exponent, 0L)));
+    return scaled_quotient(place - begin, 127, width);
   }
 
 private:

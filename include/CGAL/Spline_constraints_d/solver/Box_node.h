@@ -10,7 +10,9 @@
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -46,9 +48,10 @@ inline double place_above(double lower, double upper, double t)
 
 // The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a thousandth: the fewer digits the ends of boxes have, the shorter
 // are the numbers where functions are built on them exactly.
+// \pre width > 2^-1000
 inline double short_below(double x, double width)
 {
-  const double unit = std::ldexp(1.0, std::ilogb(width) - 10);
+  const double unit = 0x1p-10 * std::bit_cast<double>(std::bit_cast<std::uint64_t>(width) & 0x7ff0000000000000);   // the exponent alone: a power of two
   return std::floor(x / unit) * unit;
 }
 

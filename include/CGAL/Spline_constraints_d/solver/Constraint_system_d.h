@@ -75,11 +75,11 @@ public:
     for (const Spline_term& term : function.terms())
       for (std::size_t j = 0; j < term.variables.size(); ++j) {
         const int v = term.variables[j];
-        const std::string name = "Constraint_system_d: unknown " + std::to_string(v);
+        const auto name = [&] { return "Constraint_system_d: unknown " + std::to_string(v); };
         if (v >= dimension())
-          throw Invalid_input(name + " of a constraint is not in the system");
+          throw Invalid_input(name() + " of a constraint is not in the system");
         if (!term.breaks[j].empty() && (domain(v).first < term.breaks[j].front() || term.breaks[j].back() < domain(v).second))
-          throw Invalid_input(name + " ranges beyond the domain of a spline");
+          throw Invalid_input(name() + " ranges beyond the domain of a spline");
       }
     if (relation == Relation::EQUAL)
       m_equalities.push_back(std::move(function));

@@ -28,7 +28,8 @@ class Dense_preconditioner
 {
   const System_layout* m_source = nullptr;
   bool m_is_applicable = false, m_is_cheap = false;
-  std::unique_ptr<System_layout> m_layout;   // the equalities alone
+  std::unique_ptr<System_layout> m_equalities;   // alone, where there are inequalities
+  const System_layout* m_layout = nullptr;       // of what is formed: theirs, or that of the source
   std::unique_ptr<Node_view> m_view;
   std::vector<std::size_t> m_block;          // of the source
   std::vector<double> m_coefficients, m_errors;
@@ -101,22 +102,19 @@ private:
   {
     m_source = &source;
     m_is_applicable = source.equalities == source.dimension;
-    m_layout = std::make_unique<System_layout>();
-    m_layout->dimension = source.dimension;
-    m_layout->equalities = m_layout->functions = source.equalities;
-    m_block.clear();
-    for (std::size_t b = 0; b < source.blocks.size(); ++b) {
-      Block block = source.blocks[b];
-      std::erase_if(block.functions, [&](int f) { return f >= source.equalities; });
-      if (block.functions.empty())
-        continue;
-      m_is_applicable = m_is_applicable && static_cast<int>(block.functions.size()) == source.equalities;
-      m_layout->blocks.push_back(std::move(block));
-      m_block.push_back(b);
+    m_layout = &source;
+    if (source.functions > source.equalities) {
+      m_equalities = std::make_unique<System_layout>(System_layout::of_equalities(source));
+      m_layout = m_equalities.get();
     }
+    m_block.clear();
+    for (std::size_t b = 0; b < source.blocks.size(); ++b)
+      if (const std::vector<int>& functions = source.blocks[b].functions; !functions.empty() && functions.front() < source.equalities) {
+        m_is_applicable = m_is_applicable && std::count_if(functions.begin(), functions.end(), [&](int f) { return f < source.equalities; }) == source.equalities;
+        m_block.push_back(b);
+      }
     if (!m_is_applicable)
       return;
-    m_layout->place_blocks();
     double products = 0, passes = 0;
     for (const Block& block : m_layout->blocks) {
       const double degrees = std::accumulate(block.degrees.begin(), block.degrees.end(), 0.0);

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_EXACT_SOURCE_H
 
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
+#include <CGAL/Spline_constraints_d/number/Short_integer.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/solver/Fixed_point_source.h>
 #include <CGAL/Spline_constraints_d/solver/System_layout.h>
@@ -38,9 +38,8 @@ class Exact_source
     int function;
     std::size_t block;
     std::size_t member;                            // place of the function in the block
-    std::vector<std::vector<int>> cell_of;         // per axis: cell of the system -> cell of the term
-    std::vector<std::size_t> cells;                // per axis
-    std::vector<std::vector<Big_integer>> pieces;  // padded to the degrees of the block
+    std::vector<std::vector<std::size_t>> offsets;   // per axis with breaks, of a cell of the system: of its piece; no axis: there is one piece
+    std::vector<std::vector<Short_integer>> pieces;  // padded to the degrees of the block
   };
 
   // Where the part of a function in a block lies.
@@ -52,21 +51,18 @@ class Exact_source
   const System_layout& m_layout;
   std::vector<std::vector<Exact_rational>> m_breaks;   // per unknown, empty where no spline has any
   std::vector<Term> m_terms;
-  std::vector<std::vector<std::vector<Big_integer>>> m_weights;   // per block and axis: lcm_i C(d,i) / C(d,i)
-  std::vector<Big_integer> m_denominators;                        // per block: product over the axes of lcm_i C(d,i)
-  std::vector<Big_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
-  std::vector<Big_integer> m_values, m_work;
-  std::vector<std::pair<Big_integer, long>> m_point;   // of an evaluation: mantissa 2^exponent, exponent <= 0
-  std::vector<Dyadic_sum> m_sums;
-  Big_integer m_horner, m_shifted;
+  std::vector<Short_integer> m_denominators;           // per block: product over the axes of lcm_i C(d,i)
+  std::vector<Short_integer> m_matrix;   // functions x functions, row-major; empty: the functions as they are
+  std::vector<Short_integer> m_values, m_work;
+  std::vector<std::pair<Short_integer, long>> m_point;   // of an evaluation: mantissa 2^exponent, exponent <= 0
+  std::vector<Dyadic_sum<Short_integer>> m_sums;
+  Short_integer m_horner, m_shifted;
   std::vector<std::vector<Place>> m_places;   // per function
   std::vector<long> m_exponents;              // per block, of an expansion
   Cell m_cell;
   Fixed_point_source m_fixed_point;
   Cell m_home_cell;
   std::vector<double> m_home_lower, m_home_upper;
-  int m_home_efforts = 0;
-  static constexpr int effort_of_expansion = 12;   // the unit: what is saved on a point
 
 public:
   Exact_source(const Constraint_system_d& system, const System_layout& layout)
@@ -74,16 +70,21 @@ public:
   {}
 
   // With the cells of another source of the same system.
-  Exact_source(const Constraint_system_d& system, const System_layout& layout, const std::vector<std::vector<Exact_rational>>& breaks)
-    : m_layout(layout), m_breaks(breaks), m_fixed_point(layout)
+  Exact_source(const Constraint_system_d& system, const System_layout& layout, std::vector<std::vector<Exact_rational>> breaks)
+    : m_layout(layout), m_breaks(std::move(breaks)), m_fixed_point(layout)
   {
     for (int f = 0; f < layout.functions; ++f)
       add_function(function_of(system, f), f);
     m_places.resize(layout.functions);
+    m_denominators.reserve(layout.blocks.size());
     for (std::size_t b = 0; b < layout.blocks.size(); ++b)
       for (std::size_t m = 0; m < layout.blocks[b].functions.size(); ++m)
         m_places[layout.blocks[b].functions[m]].push_back({b, m});
-    prepare_binomials();
+    for (const Block& block : layout.blocks) {
+      Short_integer& denominator = m_denominators.emplace_back(1);
+      for (int degree : block.degrees)
+        denominator *= common_binomial(degree);
+    }
     m_values.resize(layout.size);
   }
 
@@ -127,8 +128,8 @@ public:
   const System_layout& layout() const { return m_layout; }
 
   // The matrix that the functions are multiplied by, row-major; empty: none.
-  const std::vector<Big_integer>& matrix() const { return m_matrix; }
-  void set_matrix(const std::vector<Big_integer>& matrix) { m_matrix = matrix; }
+  const std::vector<Short_integer>& matrix() const { return m_matrix; }
+  void set_matrix(const std::vector<Short_integer>& matrix) { m_matrix = matrix; }
 
   // Multiplies the functions by a matrix (row-major) whose columns act on the functions times 2^-scale. The rows are multiplied by powers of two. Returns whether
   // all numbers are finite.
@@ -145,13 +146,13 @@ public:
   template <class Coordinate>
   void evaluate(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values);
 
-  // The same with a relative error below 2^-43, and faster.
+  // The same with errors that the values tell of, and faster.
   template <class Coordinate>
   void evaluate_closely(const Cell& cell, std::span<const Coordinate> point, std::vector<Value>& values)
   {
     if constexpr (std::is_same_v<Coordinate, double>)
-      if (is_fixed_point_ready(cell, point, point, 1) && m_fixed_point.evaluate(point, values))
-        return;
+      if (has_fixed_point(cell, point, point))
+        return m_fixed_point.evaluate(point, values);
     evaluate(cell, point, values);
   }
 
@@ -161,7 +162,6 @@ public:
   void leave_home()
   {
     m_home_cell.clear();
-    m_home_efforts = -effort_of_expansion;   // of the home box itself
     m_fixed_point.clear();
   }
 
@@ -176,13 +176,13 @@ private:
     return true;
   }
 
-  Big_integer& value_at(const Place& place, std::size_t point)
+  Short_integer& value_at(const Place& place, std::size_t point)
   {
     const Block& block = m_layout.blocks[place.block];
     return m_values[block.offset + point * block.functions.size() + place.member];
   }
 
-  void add_to_all(const Place& place, const Big_integer& constant)
+  void add_to_all(const Place& place, const Short_integer& constant)
   {
     for (std::size_t p = 0; p < m_layout.blocks[place.block].points; ++p)
       value_at(place, p) += constant;
@@ -190,23 +190,23 @@ private:
 
   template <class Coordinate>
   void set_point(std::span<const Coordinate> point);
-  void contract_last_axis(const Big_integer* coefficients, std::size_t points, int degree, const Big_integer& x, long exponent);
+  void contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree, const Short_integer& x, long exponent);
   void load(const Cell& cell);
   template <class Coordinate>
   void expand(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
   void gather_constants();
   template <class Coordinate>
-  bool is_fixed_point_ready(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper, int effort);
+  bool has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper);
   static std::vector<std::vector<Exact_rational>> collect_breaks(const Constraint_system_d& system, const System_layout& layout);
   void add_function(const Spline_function& function, int index);
-  void prepare_binomials();
+  static Short_integer common_binomial(int degree);
 
-  const std::vector<Big_integer>& piece(const Term& term, const Cell& cell) const
+  const std::vector<Short_integer>& piece(const Term& term, const Cell& cell) const
   {
     std::size_t index = 0;
-    const std::vector<int>& axes = m_layout.blocks[term.block].axes;
-    for (std::size_t j = 0; j < axes.size(); ++j)
-      index = index * term.cells[j] + (term.cell_of[j].empty() ? 0 : term.cell_of[j][cell[axes[j]]]);
+    for (std::size_t j = 0; j < term.offsets.size(); ++j)
+      if (!term.offsets[j].empty())
+        index += term.offsets[j][cell[m_layout.blocks[term.block].axes[j]]];
     return term.pieces[index];
   }
 };
@@ -222,12 +222,12 @@ void Exact_source::set_home(const Cell& cell, std::span<const Coordinate> lower,
   }
 }
 
-// Whether fixed-point numbers may answer for a box: they begin with an expansion of their own, which pays for another one or for some points.
+// Whether fixed-point numbers may answer for a box. They begin with the expansion on the home box, which most boxes and points ask for first.
 template <class Coordinate>
-bool Exact_source::is_fixed_point_ready(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper, int effort)
+bool Exact_source::has_fixed_point(const Cell& cell, std::span<const Coordinate> lower, std::span<const Coordinate> upper)
 {
   if constexpr (std::is_same_v<Coordinate, double>) {
-    if (!m_matrix.empty() || !is_in_home(cell, lower, upper) || (m_home_efforts += effort) < effort_of_expansion)
+    if (!m_matrix.empty() || !is_in_home(cell, lower, upper))
       return false;
     if (!m_fixed_point.is_set()) {
       expand(cell, std::span<const double>(m_home_lower), std::span<const double>(m_home_upper));
@@ -241,13 +241,13 @@ bool Exact_source::is_fixed_point_ready(const Cell& cell, std::span<const Coordi
 // The sums of the terms on a cell, in power form.
 inline void Exact_source::load(const Cell& cell)
 {
-  for (Big_integer& value : m_values)
+  for (Short_integer& value : m_values)
     value = 0;
   for (const Term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
-    const std::vector<Big_integer>& source = piece(term, cell);
+    const std::vector<Short_integer>& source = piece(term, cell);
     const std::size_t members = block.functions.size();
-    Big_integer* values = m_values.data() + block.offset;
+    Short_integer* values = m_values.data() + block.offset;
     if (m_matrix.empty())
       for (std::size_t p = 0; p < block.points; ++p)
         values[p * members + term.member] += source[p];
@@ -265,23 +265,22 @@ void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, s
 {
   load(cell);
   m_exponents.assign(m_layout.blocks.size(), 0);
-  std::vector<Big_integer> powers;
+  std::vector<Short_integer> weights;
   for (int v = 0; v < m_layout.dimension; ++v) {
-    const auto [begin, width, exponent] = common_dyadic(lower[v], upper[v]);
+    const auto [begin, width, exponent] = common_dyadic<Short_integer>(lower[v], upper[v]);
     for (const Block_axis& axis : m_layout.blocks_of_axis[v]) {
       const Block& block = m_layout.blocks[axis.block];
       const int degree = axis.view.degree;
       const std::size_t inner = axis.view.inner;
-      powers = m_weights[axis.block][axis.position];
-      Big_integer power(1);
-      for (int k = 0; k <= degree; ++k) {
-        powers[k] *= power;
-        power *= width;
+      weights.assign(1, common_binomial(degree));   // lcm_i C(d,i) / C(d,k), times width^k
+      for (int k = 1; k <= degree; ++k) {
+        weights.push_back(weights.back() * k * width);
+        weights.back() /= degree - k + 1;
       }
       const std::size_t line = inner * (degree + 1);
       for (std::size_t o = 0; o < axis.view.outer; ++o)
         for (std::size_t i = 0; i < inner; ++i) {
-          Big_integer* a = m_values.data() + block.offset + o * line + i;
+          Short_integer* a = m_values.data() + block.offset + o * line + i;
           if (exponent < 0)
             for (int k = 0; k < degree; ++k)
               shift_left(a[inner * k], static_cast<unsigned long>(-exponent) * (degree - k));
@@ -289,7 +288,7 @@ void Exact_source::expand(const Cell& cell, std::span<const Coordinate> lower, s
             for (int k = degree - 1; k >= r; --k)
               add_product(a[inner * k], begin, a[inner * (k + 1)]);
           for (int k = 0; k <= degree; ++k)
-            a[inner * k] *= powers[k];
+            a[inner * k] *= weights[k];
           for (int r = 1; r <= degree; ++r)
             for (int k = degree; k >= r; --k)
               a[inner * k] += a[inner * (k - 1)];
@@ -306,7 +305,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
                                           std::vector<long>& scale)
 {
   if constexpr (std::is_same_v<NT, double> && std::is_same_v<Coordinate, double>)
-    if (is_fixed_point_ready(cell, lower, upper, effort_of_expansion) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
+    if (has_fixed_point(cell, lower, upper) && m_fixed_point.bernstein_coefficients(lower, upper, coefficients, errors, scale))
       return;
   expand(cell, lower, upper);
   gather_constants();
@@ -318,7 +317,7 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
     const Block& block = m_layout.blocks[b];
     const long shift = m_exponents[b] - bit_length(m_denominators[b]) + 1;
     for (std::size_t i = 0; i < block.size(); ++i) {
-      const Big_integer& value = m_values[block.offset + i];
+      const Short_integer& value = m_values[block.offset + i];
       long& most = largest[block.functions[i % block.functions.size()]];
       if (value != 0)
         most = (std::max)(most, static_cast<long>(bit_length(value)) + shift);
@@ -337,14 +336,14 @@ void Exact_source::bernstein_coefficients(const Cell& cell, std::span<const Coor
     for (std::size_t i = 0; i < block.size(); ++i) {
       const std::size_t m = i % members;
       const long shift = m_exponents[b] - scale[block.functions[m]];
-      const Big_integer& value = m_values[block.offset + i];
+      const Short_integer& value = m_values[block.offset + i];
       if constexpr (std::is_same_v<NT, double>) {
         const double rounded = to_scaled_double(value, shift - length) / denominator;
         coefficients[block.offset + i] = rounded;
         double& error = errors[block.first_error + m];
         error = (std::max)(error, std::abs(rounded));
       } else {
-        coefficients[block.offset + i] = Number_traits<NT>::from_rational(scaled_rational(value, shift) / scaled_rational(m_denominators[b], 0));
+        coefficients[block.offset + i] = Number_traits<NT>::from_rational(scaled_rational(value.to_big_integer(), shift) / scaled_rational(m_denominators[b].to_big_integer(), 0));
       }
     }
     for (std::size_t m = 0; m < members; ++m)
@@ -362,18 +361,18 @@ inline void Exact_source::gather_constants()
     if (places.size() < 2)
       continue;
     const Place& home = *std::min_element(places.begin(), places.end(), [&](const Place& a, const Place& b) { return m_exponents[a.block] < m_exponents[b.block]; });
-    Big_integer sum(0);   // in units of the home block
+    Short_integer sum(0);   // in units of the home block
     for (const Place& place : places)
       if (&place != &home) {
-        Big_integer constant = value_at(place, 0) / m_denominators[place.block];
+        Short_integer constant = value_at(place, 0) / m_denominators[place.block];
         if (constant == 0)
           continue;
-        add_to_all(place, Big_integer(-constant * m_denominators[place.block]));
+        add_to_all(place, Short_integer(-constant * m_denominators[place.block]));
         shift_left(constant, static_cast<unsigned long>(m_exponents[place.block] - m_exponents[home.block]));
         sum += constant;
       }
     if (sum != 0)
-      add_to_all(home, Big_integer(sum * m_denominators[home.block]));
+      add_to_all(home, Short_integer(sum * m_denominators[home.block]));
   }
 }
 
@@ -382,7 +381,7 @@ void Exact_source::set_point(std::span<const Coordinate> point)
 {
   m_point.resize(point.size());
   for (std::size_t v = 0; v < point.size(); ++v) {
-    m_point[v] = to_dyadic(point[v]);
+    m_point[v] = to_dyadic<Short_integer>(point[v]);
     auto& [x, exponent] = m_point[v];
     if (exponent > 0) {
       shift_left(x, static_cast<unsigned long>(exponent));
@@ -392,10 +391,10 @@ void Exact_source::set_point(std::span<const Coordinate> point)
 }
 
 // Horner's scheme on every row of the last axis, at x 2^exponent, into m_work; the coefficients may lie there.
-inline void Exact_source::contract_last_axis(const Big_integer* coefficients, std::size_t points, int degree, const Big_integer& x, long exponent)
+inline void Exact_source::contract_last_axis(const Short_integer* coefficients, std::size_t points, int degree, const Short_integer& x, long exponent)
 {
   for (std::size_t p = 0; p < points; ++p) {
-    const Big_integer* a = coefficients + p * (degree + 1);
+    const Short_integer* a = coefficients + p * (degree + 1);
     m_horner = a[degree];
     for (int k = degree - 1; k >= 0; --k) {
       m_horner *= x;
@@ -413,12 +412,12 @@ void Exact_source::evaluate(const Cell& cell, std::span<const Coordinate> point,
 {
   set_point(point);
   m_sums.resize(m_layout.functions);
-  for (Dyadic_sum& sum : m_sums)
+  for (auto& sum : m_sums)
     sum.reset();
   for (const Term& term : m_terms) {
     const Block& block = m_layout.blocks[term.block];
-    const std::vector<Big_integer>& coefficients = piece(term, cell);
-    const Big_integer* rest = coefficients.data();
+    const std::vector<Short_integer>& coefficients = piece(term, cell);
+    const Short_integer* rest = coefficients.data();
     m_work.resize((std::max)(m_work.size(), block.points));
     std::size_t points = block.points;
     long exponent = 0;

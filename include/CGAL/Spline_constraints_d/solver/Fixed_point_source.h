@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FIXED_POINT_SOURCE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FIXED_POINT_SOURCE_H
 
-#include <CGAL/Spline_constraints_d/number/Big_integer.h>
+#include <CGAL/Spline_constraints_d/number/Short_integer.h>
 #include <CGAL/Spline_constraints_d/number/fixed_point.h>
 #include <CGAL/Spline_constraints_d/solver/System_layout.h>
 
@@ -19,11 +19,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// mantissa 2^exponent, with a relative error below 2^-43.
+// mantissa 2^exponent, with a relative error below 2^-43 and another one of `error` 2^exponent.
 struct Scaled_value
 {
   double mantissa;
   long exponent;
+  double error = 0;
 };
 
 /*
@@ -54,14 +55,14 @@ public:
   void clear() { m_home.clear(); }
 
   // The coefficients of block b on the box [lower, upper] are values / denominators[b] 2^exponents[b].
-  void set(std::span<const double> lower, std::span<const double> upper, const std::vector<Big_integer>& values, const std::vector<Big_integer>& denominators,
+  void set(std::span<const double> lower, std::span<const double> upper, const std::vector<Short_integer>& values, const std::vector<Short_integer>& denominators,
            const std::vector<long>& exponents);
 
   // As Exact_source::bernstein_coefficients(), for a box within the home box. Returns whether the error is as small as that of rounding to double.
   bool bernstein_coefficients(std::span<const double> lower, std::span<const double> upper, double* coefficients, double* errors, std::vector<long>& scale);
 
-  // The values at a point of the home box. Returns whether all errors are small beside the values.
-  bool evaluate(std::span<const double> point, std::vector<Scaled_value>& values);
+  // The values at a point of the home box.
+  void evaluate(std::span<const double> point, std::vector<Scaled_value>& values);
 
 private:
   void keep_lower_part(const Block_axis& axis, Unsigned_fixed_point t);
@@ -70,40 +71,30 @@ private:
   void compute_basis(int degree, Unsigned_fixed_point t);
 };
 
-inline void Fixed_point_source::set(std::span<const double> lower, std::span<const double> upper, const std::vector<Big_integer>& values,
-                                    const std::vector<Big_integer>& denominators, const std::vector<long>& exponents)
+inline void Fixed_point_source::set(std::span<const double> lower, std::span<const double> upper, const std::vector<Short_integer>& values,
+                                    const std::vector<Short_integer>& denominators, const std::vector<long>& exponents)
 {
   m_lower.assign(lower.begin(), lower.end());
   m_upper.assign(upper.begin(), upper.end());
   m_range.clear();
   for (std::size_t v = 0; v < lower.size(); ++v)
     m_range.emplace_back(lower[v], upper[v]);
-  const long spare_bits = bit_length(Big_integer(m_layout.blocks.size())) + 1;   // one: the quotient of lengths is rounded
+  const long spare_bits = bit_length(Unsigned_two_words(m_layout.blocks.size())) + 1;   // one: the quotient of lengths is rounded
   m_unit.assign(m_layout.functions, (std::numeric_limits<long>::min)() / 2);
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
     for (std::size_t i = 0; i < block.size(); ++i) {
-      const Big_integer& value = values[block.offset + i];
+      const Short_integer& value = values[block.offset + i];
       long& unit = m_unit[block.functions[i % block.functions.size()]];
       if (value != 0)
         unit = (std::max)(unit, bit_length(value) - bit_length(denominators[b]) + exponents[b] + spare_bits - fixed_point_bits);
     }
   }
   m_home.resize(m_layout.size);
-  Big_integer scaled;
   for (std::size_t b = 0; b < m_layout.blocks.size(); ++b) {
     const Block& block = m_layout.blocks[b];
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const long shift = exponents[b] - m_unit[block.functions[i % block.functions.size()]];
-      const Big_integer& value = values[block.offset + i];
-      if (value == 0)
-        m_home[block.offset + i] = 0;
-      else if (shift >= 0) {
-        set_shifted(scaled, value, static_cast<unsigned long>(shift));
-        m_home[block.offset + i] = fixed_point_quotient(scaled, denominators[b]);
-      } else
-        m_home[block.offset + i] = fixed_point_quotient(Big_integer(value >> static_cast<unsigned long>(-shift)), denominators[b]);
-    }
+    for (std::size_t i = 0; i < block.size(); ++i)
+      m_home[block.offset + i] = fixed_point_quotient(values[block.offset + i], exponents[b] - m_unit[block.functions[i % block.functions.size()]], denominators[b]);
   }
 }
 
@@ -222,7 +213,7 @@ inline void Fixed_point_source::compute_basis(int degree, Unsigned_fixed_point t
   }
 }
 
-inline bool Fixed_point_source::evaluate(std::span<const double> point, std::vector<Scaled_value>& values)
+inline void Fixed_point_source::evaluate(std::span<const double> point, std::vector<Scaled_value>& values)
 {
   m_parameter.resize(m_layout.dimension);
   for (int v = 0; v < m_layout.dimension; ++v)
@@ -253,13 +244,9 @@ inline bool Fixed_point_source::evaluate(std::span<const double> point, std::vec
   }
   values.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {
-    const double value = approximate(m_sum[f]);
-    if (!(m_sum_error[f] <= 0x1p-44 * std::abs(value)))
-      return false;
     const int bits = bit_length(magnitude(m_sum[f]));
-    values[f] = {std::ldexp(value, -bits), m_unit[f] + bits};
+    values[f] = {std::ldexp(approximate(m_sum[f]), -bits), m_unit[f] + bits, std::ldexp(m_sum_error[f], -bits)};
   }
-  return true;
 }
 
 } // namespace internal

@@ -4,12 +4,15 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LINEAR_ENCLOSURE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_LINEAR_ENCLOSURE_H
 
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,32 +31,37 @@ where C A is close to the identity each row bounds one unknown. Products are \f$
 class Linear_enclosure
 {
   int m_dimension, m_equations;
-  std::vector<double> m_inverse;                         // C: equations x equations
-  std::vector<double> m_work;                            // A, eliminated in place: the column of a pivot holds that of its row in C
-  std::vector<double> m_middle, m_half_width, m_size;    // of the right-hand sides; sums of absolute values of the rows
-  std::vector<double> m_radius;                          // of the right-hand sides, carried through the elimination
-  std::vector<int> m_pivot_of_row;                       // unknown that a row was solved for, or -1
-  std::vector<int> m_open_rows, m_open_columns;          // without a pivot
-  std::vector<double> m_product, m_lower, m_upper;       // C A and C g
-  std::vector<double> m_centre, m_reach;                 // per unknown: its row's bound, centre and half width
-  std::vector<double> m_scale;
+  std::vector<double> m_numbers;   // all of the following lies in one piece
+  std::vector<int> m_indices;
+  std::span<double> m_inverse;                         // C: equations x equations
+  std::span<double> m_work;                            // A, eliminated in place: the column of a pivot holds that of its row in C
+  std::span<double> m_middle, m_half_width, m_size;    // of the right-hand sides; sums of absolute values of the rows
+  std::span<double> m_radius;                          // of the right-hand sides, carried through the elimination
+  std::span<int> m_pivot_of_row;                       // unknown that a row was solved for, or -1
+  std::span<int> m_row_of;                             // of a pivot's unknown, or -1
+  std::span<double> m_product, m_lower, m_upper;       // C A and C g
+  std::span<double> m_centre, m_reach;                 // per unknown: its row's bound, centre and half width
+  std::span<double> m_scale;
   int m_rank = 0;
 
 public:
   Linear_enclosure(int dimension, int equations)
-    : m_dimension(dimension), m_equations(equations), m_inverse(equations * equations), m_work(equations * dimension),
-      m_middle(equations), m_half_width(equations), m_size(equations), m_radius(equations), m_pivot_of_row(equations), m_product(equations * dimension),
-      m_lower(equations), m_upper(equations), m_centre(dimension), m_reach(dimension), m_scale(equations)
-  {}
+    : m_dimension(dimension), m_equations(equations)
+  {
+    const std::size_t n = dimension, m = equations;
+    internal::allocate_parts<double>(m_numbers, {{&m_inverse, m * m}, {&m_work, m * n}, {&m_middle, m}, {&m_half_width, m}, {&m_size, m}, {&m_radius, m}, {&m_product, m * n},
+                                                 {&m_lower, m}, {&m_upper, m}, {&m_centre, n}, {&m_reach, n}, {&m_scale, m}});
+    internal::allocate_parts<int>(m_indices, {{&m_pivot_of_row, m}, {&m_row_of, n}});
+  }
+  //! not copied: parts of it are looked at.
+  Linear_enclosure(const Linear_enclosure&) = delete;
+  Linear_enclosure& operator=(const Linear_enclosure&) = delete;
 
   //! contracts the box by each equation as it stands; false when no solution is left.
   bool contract_by_equations(Node_view& node, Local_box& box) const
   {
     const double* slopes = node.slopes(0);
-    for (int i = 0; i < m_equations; ++i)
-      if (!contract_by_row(slopes + i * m_dimension, node.rest_lower(i), node.rest_upper(i), box))
-        return false;
-    return true;
+    return contract_by_rows(slopes, [&](int i) { return std::pair(node.rest_lower(i), node.rest_upper(i)); }, box);
   }
 
   //! forms the preconditioned rows.
@@ -62,10 +70,7 @@ public:
   //! contracts the box by the preconditioned rows; false when no solution is left.
   bool contract_by_preconditioned(Local_box& box) const
   {
-    for (int i = 0; i < m_equations; ++i)
-      if (!contract_by_row(m_product.data() + i * m_dimension, m_lower[i], m_upper[i], box))
-        return false;
-    return true;
+    return contract_by_rows(m_product.data(), [&](int i) { return std::pair(m_lower[i], m_upper[i]); }, box);
   }
 
   //! number of unknowns.
@@ -101,35 +106,61 @@ public:
   }
 
 private:
-  std::vector<int> m_row_of = std::vector<int>(m_dimension, 0);
+  // run(integral_constant<int, size>), with the number of equations and of unknowns known to the compiler; 0: not known.
+  template <class Run>
+  void run_with_size(const Run& run) const
+  {
+    constexpr int largest = 4;   // beyond, it does not matter
+    internal::run_with_constant<largest>(m_dimension == m_equations ? m_dimension : 0, run);
+  }
 
+  // `rest(i)`: the bounds of what the row leaves of an equation.
+  template <class Rest>
+  bool contract_by_rows(const double* rows, const Rest& rest, Local_box& box) const
+  {
+    bool is_left = true;
+    run_with_size([&](auto size) {
+      const int n = size > 0 ? size : m_dimension;
+      for (int i = 0; i < m_equations && is_left; ++i) {
+        const auto [lower, upper] = rest(i);
+        is_left = contract_by_row<size>(rows + i * n, lower, upper, box);
+      }
+    });
+    return is_left;
+  }
+
+  template <int size>
   void eliminate(Node_view& node);
+  template <int size>
   void multiply(Node_view& node);
   void bound_unknowns();
+  template <int size>
   bool contract_by_row(const double* row, double lower, double upper, Local_box& box) const;
 };
 
 // 0 = row s + [lower, upper]: each unknown lies in what the others leave it.
-inline bool Linear_enclosure::contract_by_row(const double* row, double lower, double upper, Local_box& box) const
+template <int size>
+bool Linear_enclosure::contract_by_row(const double* row, double lower, double upper, Local_box& box) const
 {
-  double sum_lower = lower, sum_upper = upper, size = (std::max)(std::abs(lower), std::abs(upper));
-  for (int k = 0; k < m_dimension; ++k) {
+  const int n = size > 0 ? size : m_dimension;
+  double sum_lower = lower, sum_upper = upper, row_size = (std::max)(std::abs(lower), std::abs(upper));
+  for (int k = 0; k < n; ++k) {
     const double a = row[k];
     if (a == 0)
       continue;
     const double u = a * box.lower[k], v = a * box.upper[k];
     sum_lower += (std::min)(u, v);
     sum_upper += (std::max)(u, v);
-    size += std::abs(a);
+    row_size += std::abs(a);
   }
-  const double error = internal::analysis_error * size;
+  const double error = internal::analysis_error * row_size;
   sum_lower -= error;
   sum_upper += error;
   if (sum_lower > 0 || sum_upper < 0)
     return false;
-  for (int k = 0; k < m_dimension; ++k) {
+  for (int k = 0; k < n; ++k) {
     const double a = row[k];
-    if (std::abs(a) * 0x1p30 < size)
+    if (std::abs(a) * 0x1p30 < row_size)
       continue;
     // a s_k in -[sum without its own part]; taking the part out again doubles the rounding error at most
     const double u = a * box.lower[k], v = a * box.upper[k], own_lower = (std::min)(u, v), own_upper = (std::max)(u, v);
@@ -148,44 +179,46 @@ inline bool Linear_enclosure::contract_by_row(const double* row, double lower, d
 
 inline void Linear_enclosure::precondition(Node_view& node)
 {
-  eliminate(node);
-  multiply(node);
+  run_with_size([&](auto size) {
+    eliminate<size>(node);
+    multiply<size>(node);
+  });
   if (has_inverse())
     bound_unknowns();
 }
 
 // Gauss-Jordan with full pivoting, rows weighed by what they can still contract: a row whose interval part is larger than half its pivot bounds nothing and would
 // only blur the others, so elimination stops there (in a huge box the linear equations are solved and the rest waits).
-inline void Linear_enclosure::eliminate(Node_view& node)
+template <int size>
+void Linear_enclosure::eliminate(Node_view& node)
 {
-  const int n = m_dimension, m = m_equations;
+  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
   m_rank = 0;
   const double* slopes = m == 0 ? nullptr : node.slopes(0);
   std::copy_n(slopes, m * n, m_work.begin());
   for (int i = 0; i < m; ++i) {
-    double size = 0;
+    double row_size = 0;
     for (int k = 0; k < n; ++k)
-      size += std::abs(slopes[i * n + k]);
+      row_size += std::abs(slopes[i * n + k]);
     const double lo = node.rest_lower(i), hi = node.rest_upper(i);
     m_middle[i] = 0.5 * (lo + hi);
     m_half_width[i] = m_radius[i] = 0.5 * (hi - lo);
-    m_size[i] = (std::max)(std::abs(lo), std::abs(hi)) + size;
-    const double total = size + 2 * m_radius[i];
+    m_size[i] = (std::max)(std::abs(lo), std::abs(hi)) + row_size;
+    const double total = row_size + 2 * m_radius[i];
     m_scale[i] = total > 0 ? 1 / total : 0;
     m_pivot_of_row[i] = -1;
   }
-  m_open_rows.resize(m);
-  m_open_columns.resize(n);
-  std::iota(m_open_rows.begin(), m_open_rows.end(), 0);
-  std::iota(m_open_columns.begin(), m_open_columns.end(), 0);
-  while (!m_open_rows.empty() && !m_open_columns.empty()) {
+  std::fill_n(m_row_of.begin(), n, -1);
+  while (m_rank < m && m_rank < n) {
     int pivot_row = -1, pivot = -1;
     double best = 1e-16;
-    for (int i : m_open_rows) {
+    for (int i = 0; i < m; ++i) {
+      if (m_pivot_of_row[i] >= 0)
+        continue;
       const double *row = m_work.data() + i * n, scale = m_scale[i], least = 2 * m_radius[i];
-      for (int k : m_open_columns) {
+      for (int k = 0; k < n; ++k) {
         const double a = std::abs(row[k]);
-        if (a * scale > best && least < a) {
+        if (m_row_of[k] < 0 && a * scale > best && least < a) {
           best = a * scale;
           pivot_row = i;
           pivot = k;
@@ -197,8 +230,6 @@ inline void Linear_enclosure::eliminate(Node_view& node)
     ++m_rank;
     m_pivot_of_row[pivot_row] = pivot;
     m_row_of[pivot] = pivot_row;
-    std::erase(m_open_rows, pivot_row);
-    std::erase(m_open_columns, pivot);
     double* row = m_work.data() + pivot_row * n;
     const double factor = 1 / row[pivot];
     row[pivot] = 1;
@@ -226,14 +257,15 @@ inline void Linear_enclosure::eliminate(Node_view& node)
 }
 
 // C A and C g with their rounding errors, from the original rows: elimination may be as inaccurate as it likes.
-inline void Linear_enclosure::multiply(Node_view& node)
+template <int size>
+void Linear_enclosure::multiply(Node_view& node)
 {
-  const int n = m_dimension, m = m_equations;
+  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
   const double* slopes = m == 0 ? nullptr : node.slopes(0);
   for (int i = 0; i < m; ++i) {
     double* product = m_product.data() + i * n;
     std::fill_n(product, n, 0.0);
-    double middle = 0, radius = 0, size = 0;
+    double middle = 0, radius = 0, row_size = 0;
     for (int k = 0; k < m; ++k) {
       const double c = m_inverse[i * m + k];
       if (c == 0)
@@ -242,9 +274,9 @@ inline void Linear_enclosure::multiply(Node_view& node)
         product[j] += c * slopes[k * n + j];
       middle += c * m_middle[k];
       radius += std::abs(c) * m_half_width[k];
-      size += std::abs(c) * m_size[k];
+      row_size += std::abs(c) * m_size[k];
     }
-    radius += internal::analysis_error * size;   // also covers the rounding of the products, as |s| <= 1/2
+    radius += internal::analysis_error * row_size;   // also covers the rounding of the products, as |s| <= 1/2
     m_lower[i] = middle - radius;
     m_upper[i] = middle + radius;
   }

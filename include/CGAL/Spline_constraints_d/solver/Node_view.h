@@ -4,11 +4,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H
 
+#include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/solver/System_layout.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -160,7 +162,11 @@ inline Node_view::Node_view(const internal::System_layout& layout)
 {
   constexpr std::size_t least_row = 48;   // for what is done once per row not to count
   const std::size_t functions = layout.functions, entries = functions * layout.dimension;
-  std::size_t work = 1, members = 1, slopes = 1, layers = 1, over_first = 0;
+  std::size_t work = 1, members = 1, slopes = 1, layers = 1, over_first = 0, greville = 0;
+  for (const internal::Block& block : layout.blocks)
+    greville = std::accumulate(block.degrees.begin(), block.degrees.end(), greville + block.degrees.size());
+  m_greville.reserve(greville);
+  m_plans.reserve(layout.blocks.size());
   for (const internal::Block& block : layout.blocks) {
     const std::size_t m = block.functions.size(), axes = block.axes.size();
     Plan plan{over_first, m_greville.size(), block.size(), 0};
@@ -179,20 +185,12 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     members = (std::max)(members, m);
     slopes = (std::max)(slopes, m * axes);
   }
-  using Part = std::pair<std::span<double>*, std::size_t>;
-  const Part parts[] = {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull_lower, functions}, {&m_hull_upper, functions},
-                        {&m_slopes, entries}, {&m_rest_lower, functions}, {&m_rest_upper, functions}, {&m_derivative_lower, entries},
-                        {&m_derivative_upper, entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
-                        {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
-                        {&m_block_rest_lower, members}, {&m_block_rest_upper, members}};
-  std::size_t size = 0;
-  for (const Part& part : parts)
-    size += part.second;
-  m_storage.resize(size);
-  for (std::size_t begin = 0; const auto& [span, length] : parts) {
-    *span = {m_storage.data() + begin, length};
-    begin += length;
-  }
+  internal::allocate_parts<double>(
+    m_storage, {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull_lower, functions}, {&m_hull_upper, functions},
+                {&m_slopes, entries}, {&m_rest_lower, functions}, {&m_rest_upper, functions}, {&m_derivative_lower, entries},
+                {&m_derivative_upper, entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
+                {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
+                {&m_block_rest_lower, members}, {&m_block_rest_upper, members}});
   m_index.resize(layout.dimension);
 }
 

@@ -52,7 +52,7 @@ class Root_certification
   Local_box m_part;
   std::vector<Coordinate> m_corner[2];
   // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs about two of them.
-  static constexpr double m_fine_contraction = 0.05;
+  static constexpr double m_fine_contraction = 0.2;
 
 public:
   Root_certification(const System_layout& layout, Exact_source& source, Preconditioned_system<NT>& preconditioned, Root_collection<NT>& roots,
@@ -89,7 +89,7 @@ public:
       return false;
     if (is_known(node, linear, part))
       return true;
-    if (!(reach < 0.25) && !(is_inside && test.has_at_most_one_solution(view, linear)))
+    if (!(reach < 0.2) && !(is_inside && test.has_at_most_one_solution(view, linear)))
       return false;
 
     m_node.copy_from(node);
@@ -280,12 +280,12 @@ private:
     }
   }
 
-  // A box around the image with room to spare: twice its size, not too thin, and many units of the last place wide.
+  // A box around the image with room to spare: half as wide again, not too thin, and many units of the last place wide.
   void surround(const Node& node, const Linear_enclosure& image)
   {
     m_part.reset(m_layout.dimension);
     for (int j = 0; j < m_layout.dimension; ++j) {
-      double half_width = 2 * image.reach(j) + 0.01;
+      double half_width = 1.5 * image.reach(j) + 0.01;
       if constexpr (std::is_same_v<Coordinate, double>)
         half_width = (std::max)(half_width, 0x1p-40 * (std::max)(std::abs(node.lower[j]), std::abs(node.upper[j])) / (node.upper[j] - node.lower[j]));
       m_part.lower[j] = image.centre(j) - half_width;

@@ -121,6 +121,8 @@ public:
   Root_position(const Constraint_system_d& system, const System_layout& layout, Exact_source& source)
     : m_system(system), m_layout(layout), m_source(source)
   {
+    m_lower.reserve(layout.dimension);
+    m_upper.reserve(layout.dimension);
     for (int j = 0; j < layout.dimension; ++j) {
       m_lower.push_back(to_double_interval(system.domain(j).first));
       m_upper.push_back(to_double_interval(system.domain(j).second));

@@ -31,7 +31,7 @@ struct Certified_region
   std::vector<double> weights;   // positive; empty: ones
   std::vector<double> start;     // where to begin, in [0,1]^n; empty: in the middle
   Exact_source* source = nullptr;
-  std::vector<Big_integer> matrix;   // of the source
+  std::vector<Short_integer> matrix;   // of the source
 };
 
 template <class Coordinate>
@@ -130,7 +130,7 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::vector<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
   std::vector<Coordinate> m_point, m_last_point, m_best;
 
 public:
@@ -186,6 +186,8 @@ public:
       }
     }
     Root_enclosure<Coordinate> result;
+    result.lower.reserve(n);
+    result.upper.reserve(n);
     for (int j = 0; j < n; ++j) {
       const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
       result.lower.push_back((std::max)(below(m_best[j], radius), region.lower[j]));   // beyond the region there may be others
@@ -209,22 +211,17 @@ private:
   // of these in units of the resolution, infinity where a value left the range of double.
   double newton_step(const Certified_region<Coordinate>& region, int bits)
   {
-    const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
-    Exact_source& source = *region.source;
-    source.evaluate_closely(source.cell_of(std::span<const Coordinate>(m_point)), std::span<const Coordinate>(m_point), m_values);
+    const int n = static_cast<int>(region.lower.size());
+    const Cell& cell = region.source->cell_of(std::span<const Coordinate>(m_point));
+    region.source->evaluate_closely(cell, std::span<const Coordinate>(m_point), m_values);
+    if (!form_step(region, bits)) {
+      region.source->evaluate(cell, std::span<const Coordinate>(m_point), m_values);
+      form_step(region, bits);
+    }
     const auto weight = [&](int j) { return region.weights.empty() ? 1.0 : region.weights[j]; };
     double largest = 0;
     for (int j = 0; j < n; ++j) {
-      double step = 0, size = 0;
-      for (int i = 0; i < m; ++i) {
-        const long exponent = (std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L));
-        const double value = std::ldexp(m_values[i].mantissa, static_cast<int>(exponent));
-        step += region.inverse[j * m + i] * value;
-        size += std::abs(region.inverse[j * m + i]) * (std::abs(value) + 0x1p-900);
-      }
-      m_step[j] = step;
-      m_step_error[j] = 0x1p-42 * size;   // of the values, and of the sum
-      m_radius[j] = std::abs(step) + m_step_error[j];
+      m_radius[j] = std::abs(m_step[j]) + m_step_error[j];
       if (!std::isfinite(m_radius[j]))
         return HUGE_VAL;   // out of the range of double: no distance is known
       largest = (std::max)(largest, m_radius[j] / weight(j));
@@ -247,6 +244,34 @@ private:
     for (int j = 0; j < n; ++j)
       m_radius[j] = m_distance[j] * m_width[j] * (1 + 0x1p-40);
     return largest_error(bits);
+  }
+
+  // Fills m_step with C times the values, and m_step_error. Returns whether the errors that the values tell of are far below the resolution.
+  bool form_step(const Certified_region<Coordinate>& region, int bits)
+  {
+    const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
+    m_value.resize(m);
+    m_value_error.resize(m);
+    for (int i = 0; i < m; ++i) {
+      const double unit = std::ldexp(1.0, static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L))));
+      const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };   // infinity, beyond the range of double, is no value of zero
+      m_value[i] = scaled(m_values[i].mantissa);
+      m_value_error[i] = scaled(m_values[i].error);
+    }
+    bool is_fine = true;
+    for (int j = 0; j < n; ++j) {
+      double step = 0, size = 0, error = 0;
+      for (int i = 0; i < m; ++i) {
+        const double factor = region.inverse[j * m + i];
+        step += factor * m_value[i];
+        size += std::abs(factor) * (std::abs(m_value[i]) + 0x1p-900);
+        error += std::abs(factor) * m_value_error[i];
+      }
+      m_step[j] = step;
+      m_step_error[j] = 0x1p-42 * size + error * (1 + 0x1p-40);   // of the values, and of the sum
+      is_fine = is_fine && error * m_width[j] <= 0x1p-10 * resolution(m_point[j], m_width[j], bits);
+    }
+    return is_fine;
   }
 
   // The same after the step from m_last_point to m_point, without another residual: x* - (z - C f(z)) = (I - C J)(x* - z), and m_point is z - C f(z) but for rounding.

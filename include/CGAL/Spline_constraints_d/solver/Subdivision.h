@@ -353,7 +353,7 @@ private:
       if (m_box.width(j) <= 1 - least_gain)
         volume *= m_box.width(j);
     }
-    if (volume > 0.7)
+    if (volume > 0.5)
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
       m_widths[j] = width(node, j);

@@ -213,6 +213,8 @@ private:
   std::vector<Task> tasks_of_cells()
   {
     std::vector<Exact_rational> lower, upper;
+    lower.reserve(m_layout.dimension);
+    upper.reserve(m_layout.dimension);
     for (int v = 0; v < m_layout.dimension; ++v) {
       lower.push_back(m_system.domain(v).first);
       upper.push_back(m_system.domain(v).second);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,6 +70,9 @@ struct System_layout
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
 
+  // Of the equalities alone.
+  static System_layout of_equalities(const System_layout& layout);
+
   // Of the equalities alone, each block with all of them.
   static System_layout of_mixed_equalities(const System_layout& layout);
 
@@ -121,6 +125,20 @@ inline System_layout::System_layout(const Constraint_system_d& system)
       }
     }
   place_blocks();
+}
+
+inline System_layout System_layout::of_equalities(const System_layout& layout)
+{
+  System_layout result;
+  result.dimension = layout.dimension;
+  result.equalities = result.functions = layout.equalities;
+  for (Block block : layout.blocks) {
+    std::erase_if(block.functions, [&](int f) { return f >= layout.equalities; });
+    if (!block.functions.empty())
+      result.blocks.push_back(std::move(block));
+  }
+  result.place_blocks();
+  return result;
 }
 
 inline System_layout System_layout::of_mixed_equalities(const System_layout& layout)

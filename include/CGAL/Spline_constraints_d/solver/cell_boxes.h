@@ -56,12 +56,14 @@ std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const E
                                                                          const std::vector<Exact_rational>& upper, int bits)
 {
   std::vector<Coordinate> part_lower, part_upper;
+  part_lower.reserve(lower.size());
+  part_upper.reserve(lower.size());
   for (std::size_t v = 0; v < lower.size(); ++v) {
     const std::vector<Exact_rational>& breaks = source.breaks(static_cast<int>(v));
     const bool has_breaks = breaks.size() > 2;
     const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
-    const Exact_rational begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
-    const Exact_rational end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
+    const Exact_rational& begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
+    const Exact_rational& end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
     const auto [from, to] = dyadic_hull<Coordinate>(begin, end, bits);
     part_lower.push_back(from);
     part_upper.push_back(to);

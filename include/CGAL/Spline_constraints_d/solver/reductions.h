@@ -154,6 +154,8 @@ public:
   {
     if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
       return false;
+    if (linear.has_inverse() && is_small_part(box))
+      return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
     if (!m_projection.contract(node, linear, box))
       return false;
     if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && m_dense.is_cheap() && !contract_dense(node, linear, box))
@@ -170,6 +172,15 @@ private:
       if (box.lower[j] != -0.5 || box.upper[j] != 0.5)
         return false;
     return true;
+  }
+
+  // So much is gained, half of the width being left on the mean of the axes, that passes over the coefficients are better spent on what is left.
+  static bool is_small_part(const Local_box& box)
+  {
+    double volume = 1;
+    for (int j = 0; j < box.dimension(); ++j)
+      volume *= 2 * box.width(j);
+    return volume < 1;
   }
 
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)

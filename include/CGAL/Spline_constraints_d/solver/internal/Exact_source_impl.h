@@ -7,6 +7,9 @@
 // How an Exact_source is set up.
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
@@ -16,34 +19,33 @@ inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(con
   std::vector<std::vector<Exact_rational>> result(layout.dimension);
   for (int f = 0; f < layout.functions; ++f)
     for (const Spline_term& term : function_of(system, f).terms())
-      for (std::size_t j = 0; j < term.variables.size(); ++j)
-        result[term.variables[j]].insert(result[term.variables[j]].end(), term.breaks[j].begin(), term.breaks[j].end());
-  for (int v = 0; v < layout.dimension; ++v) {
-    std::vector<Exact_rational>& breaks = result[v];
-    if (breaks.empty())
-      continue;
-    const Exact_rational &lower = system.domain(v).first, &upper = system.domain(v).second;
-    std::erase_if(breaks, [&](const Exact_rational& b) { return b <= lower || upper <= b; });
-    breaks.push_back(lower);
-    breaks.push_back(upper);
-    std::sort(breaks.begin(), breaks.end());
-    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-    if (breaks.size() == 1)
-      breaks.push_back(breaks.front());   // a domain that is one point
-  }
+      for (std::size_t j = 0; j < term.variables.size(); ++j) {
+        if (term.breaks[j].empty())
+          continue;
+        const auto& [lower, upper] = system.domain(term.variables[j]);
+        std::vector<Exact_rational>& breaks = result[term.variables[j]];
+        if (breaks.empty())
+          breaks = {lower, upper};   // also of a domain that is one point
+        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks), [&](const Exact_rational& b) { return lower < b && b < upper; });
+      }
+  for (std::vector<Exact_rational>& breaks : result)
+    if (breaks.size() > 2) {
+      std::sort(breaks.begin(), breaks.end());
+      breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    }
   return result;
 }
 
 inline void Exact_source::add_function(const Spline_function& function, int index)
 {
-  Big_integer denominator(1);
+  Short_integer denominator(1);
   for (const Spline_term& term : function.terms())
     for (const auto& coefficients : term.pieces)
       for (const Exact_rational& coefficient : coefficients)
         extend_common_denominator(denominator, coefficient);
 
   for (const Spline_term& term : function.terms()) {
-    Term result;
+    Term& result = m_terms.emplace_back();
     result.function = index;
     for (result.block = 0;; ++result.block) {
       const Block& block = m_layout.blocks[result.block];
@@ -54,19 +56,20 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
       }
     }
     const Block& block = m_layout.blocks[result.block];
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      result.cells.push_back(term.cells(j));
-      std::vector<int>& cell_of = result.cell_of.emplace_back();
+    if (term.pieces.size() > 1)
+      result.offsets.resize(term.variables.size());
+    std::size_t stride = 1;
+    for (std::size_t j = result.offsets.size(); j-- > 0; stride *= term.cells(j)) {
       const std::vector<Exact_rational>& breaks = m_breaks[term.variables[j]];
       if (!term.breaks[j].empty())
         for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
           const auto next = std::upper_bound(term.breaks[j].begin(), term.breaks[j].end(), breaks[k]);
-          const int local = static_cast<int>(next - term.breaks[j].begin()) - 1;
-          cell_of.push_back((std::min)(local, static_cast<int>(term.cells(j)) - 1));
+          const std::size_t cell = next - term.breaks[j].begin() - 1;
+          result.offsets[j].push_back(stride * (std::min)(cell, term.cells(j) - 1));
         }
     }
     for (const auto& coefficients : term.pieces) {
-      std::vector<Big_integer>& padded = result.pieces.emplace_back(block.points, Big_integer(0));
+      std::vector<Short_integer>& padded = result.pieces.emplace_back(block.points, Short_integer(0));
       std::vector<int> k(term.degrees.size(), 0);
       for (const Exact_rational& coefficient : coefficients) {
         std::size_t position = 0;
@@ -77,31 +80,16 @@ inline void Exact_source::add_function(const Spline_function& function, int inde
           k[j] = 0;
       }
     }
-    m_terms.push_back(std::move(result));
   }
 }
 
-inline void Exact_source::prepare_binomials()
+// lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
+inline Short_integer Exact_source::common_binomial(int degree)
 {
-  for (const Block& block : m_layout.blocks) {
-    auto& weights = m_weights.emplace_back();
-    Big_integer product(1);
-    for (int degree : block.degrees) {
-      Big_integer common(1);   // lcm_i C(d,i) = lcm(1,...,d+1) / (d+1)
-      for (int i = 2; i <= degree + 1; ++i)
-        mpz_lcm_ui(common.backend().data(), common.backend().data(), static_cast<unsigned long>(i));
-      common /= degree + 1;
-      std::vector<Big_integer> quotients(degree + 1, common);
-      for (int i = 1; i < degree; ++i) {
-        quotients[i] = quotients[i - 1];
-        quotients[i] *= i;
-        quotients[i] /= degree - i + 1;
-      }
-      weights.push_back(std::move(quotients));
-      product *= common;
-    }
-    m_denominators.push_back(product);
-  }
+  Short_integer common(1);
+  for (int i = 2; i <= degree + 1; ++i)
+    common *= i / gcd(common, i);
+  return common / (degree + 1);
 }
 
 inline bool Exact_source::multiply(const double* matrix, const std::vector<long>& scale)
@@ -109,12 +97,12 @@ inline bool Exact_source::multiply(const double* matrix, const std::vector<long>
   const std::size_t n = scale.size();
   if (!std::all_of(matrix, matrix + n * n, [](double x) { return std::isfinite(x); }))
     return false;
-  std::vector<Big_integer> product(n * n, Big_integer(0));
+  std::vector<Short_integer> product(n * n, Short_integer(0));
   for (std::size_t j = 0; j < n; ++j) {
-    std::vector<std::pair<Big_integer, long>> row;
+    std::vector<std::pair<Short_integer, long>> row;
     long finest = (std::numeric_limits<long>::max)();
     for (std::size_t i = 0; i < n; ++i) {
-      auto& [factor, exponent] = row.emplace_back(to_dyadic(matrix[j * n + i]));
+      auto& [factor, exponent] = row.emplace_back(to_dyadic<Short_integer>(matrix[j * n + i]));
       exponent -= scale[i];
       if (factor != 0)
         finest = (std::min)(finest, exponent);
