@@ -73,6 +73,14 @@ public:
       numerator = -numerator;
   }
 
+  // The same parameters and weight with other numerators.
+  Spline_patch with_numerators(Vector_of_functions<d> numerators) const
+  {
+    Spline_patch result(*this);
+    result.m_numerators = std::move(numerators);
+    return result;
+  }
+
   const Vector_of_functions<d>& numerators() const { return m_numerators; }
   const Exact_function& weight() const { return m_weight; }
   bool is_rational() const { return m_is_rational; }
@@ -119,6 +127,23 @@ public:
     for (int axis = 0; axis < number_of_parameters(); ++axis)
       result.push_back(middle_of(domain(axis)));
     return result;
+  }
+
+  std::vector<Exact_rational> first_corner() const
+  {
+    std::vector<Exact_rational> result;
+    for (int axis = 0; axis < number_of_parameters(); ++axis)
+      result.push_back(domain(axis).first);
+    return result;
+  }
+
+  bool is_one_point() const
+  {
+    const std::array<Exact_rational, d> point = (*this)(first_corner());
+    for (int i = 0; i < d; ++i)
+      if (!(m_numerators[i] == m_weight * point[i]))
+        return false;
+    return true;
   }
 
   // The two parts on both sides of the middle of an axis.

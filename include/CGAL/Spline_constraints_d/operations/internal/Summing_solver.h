@@ -21,9 +21,11 @@ class Summing_solver
 public:
   explicit Summing_solver(const Solver_options& options) : m_solver(options) {}
 
-  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return (*this)(make_system(constraints)); }
+
+  Solution_set_d<double> operator()(const Constraint_system_d& system)
   {
-    Solution_set_d<double> result = m_solver(make_system(constraints));
+    Solution_set_d<double> result = m_solver(system);
     m_total += result.summary();
     return result;
   }
