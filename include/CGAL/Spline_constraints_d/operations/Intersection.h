@@ -51,7 +51,7 @@ struct Common_point
   Parameter_box parameters;
   std::vector<bool> is_at_end;
   std::optional<Solution_d<double>> solution;
-  Parameter_box neighbourhood;   // of a pole: no other common point is there
+  bool is_repeated;   // on the seam of a closed operand, where a lower parameter stands for the same point
 };
 
 } // namespace internal

@@ -133,8 +133,8 @@ template <int d>
 class Coincidence
 {
   Patch_pair<d> m_pair;
-  std::size_t m_eliminated = 2;                 // the operand whose parameters are
-  std::optional<Spline_patch<d>> m_position;    // the other one in its coordinates
+  std::size_t m_eliminated = 2;                // the operand whose parameters are; 2: none
+  std::optional<Spline_patch<d>> m_position;   // the other one in its coordinates
 
 public:
   explicit Coincidence(Patch_pair<d> pair) : m_pair(std::move(pair))
@@ -144,11 +144,12 @@ public:
       if (!m_position)
         if (const auto frame = affine_frame(m_pair[operand])) {
           m_position = in_coordinates_of(*frame, m_pair[1 - operand]);
-          m_eliminated = operand;
+          m_eliminated = m_position ? operand : 2;
         }
   }
 
-  const Patch_pair<d>& pair() const { return m_pair; }
+  // Whether the parameters of an operand are.
+  bool has_eliminated(std::size_t operand) const { return m_eliminated == operand; }
 
   // The range of the unknowns: the parameters that are not eliminated.
   Parameter_box unknown_ranges() const { return unknowns_of(m_pair.domain()); }
@@ -177,7 +178,7 @@ public:
     if (!m_position)
       return clipped(box, m_pair.domain());
     const Parameter_box other = clipped(box, unknown_ranges());
-    const Vector_bounds<d> coordinates = m_position->part(other).values();
+    const Vector_bounds<d> coordinates = bounds_of(m_position->part(other));
     Parameter_box own;
     for (int k = 0; k < m_pair[m_eliminated].number_of_parameters(); ++k)
       own.emplace_back(coordinates[k].lower, coordinates[k].upper);
@@ -195,6 +196,17 @@ public:
 
 private:
   std::size_t first_unknown() const { return m_position && m_eliminated == 0 ? m_pair.first_parameter(1) : 0; }
+
+  static Vector_bounds<d> bounds_of(const Spline_patch<d>& patch)
+  {
+    if (!patch.is_one_point())   // such as a pole
+      return patch.values();
+    Vector_bounds<d> result;
+    const std::array<Exact_rational, d> point = patch(patch.first_corner());
+    for (int i = 0; i < d; ++i)
+      result[i] = Rational_interval(point[i]);
+    return result;
+  }
 
   template <class Sequence>
   Sequence unknowns_of(const Sequence& all) const

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,8 +25,8 @@ namespace internal {
 The common points of two patches: the solutions of A = B, told apart by what is known of the ends of parameters. Whether the only solution in a region is at an end is a system in one unknown
 less, in that region.
 
-A pole is an edge of a surface that is one point. Where the other operand goes through it, a whole range of parameters stands for one common point. A box of parameters around them is proved to hold
-no other one, and is left out.
+A pole is an edge of a surface that is one point. Where the other operand goes through it, a whole range of a parameter stands for one common point. In two unknowns the solver finds this segment. In
+three, a box of parameters around it is proved to hold no other common point, and left out.
 */
 template <int d>
 class Intersection_finder
@@ -41,7 +42,6 @@ class Intersection_finder
 
   struct Pole
   {
-    std::size_t operand;
     Parameter_end end;
     Spline_patch<d> point;
   };
@@ -56,11 +56,8 @@ public:
   std::vector<Common_point> operator()()
   {
     std::vector<Common_point> result = with_seams();
-    std::erase_if(result, [&](const Common_point& x) { return is_repeated(x); });
-    const auto is_before = [](const Common_point& x, const Common_point& y) {
-      return std::lexicographical_compare(x.parameters.begin(), x.parameters.end(), y.parameters.begin(), y.parameters.end());
-    };
-    std::sort(result.begin(), result.end(), is_before);
+    std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
+    std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;
   }
 
@@ -68,24 +65,30 @@ private:
   // With those on both sides of a seam.
   std::vector<Common_point> with_seams()
   {
+    const Coincidence<d> equations(m_pair);
     std::vector<Common_point> result;
-    std::vector<Parameter_region> regions{{m_pair.domain(), std::vector<bool>(m_pair.number_of_parameters(), false)}};
-    for (const Pole& pole : poles())
-      for (const Common_point& point : points_at(pole)) {
+    std::vector<Parameter_region> regions{{m_pair.domain(), none()}};
+    for (const Pole& pole : poles(equations))
+      for (Common_point& point : points_at(pole)) {
+        const Parameter_box hole = with_neighbourhood(pole, point);
         std::vector<Parameter_region> rest;
         for (const Parameter_region& region : regions)
-          append(rest, without(region, point.neighbourhood));
+          append(rest, without(region, hole));
         regions = std::move(rest);
-        result.push_back(point);
+        result.push_back(std::move(point));
       }
-    for (const Parameter_region& region : regions)
-      for (const Answer& answer : answers(Coincidence<d>(m_pair.part(region.box)), region.is_open))
-        result.push_back(classified(answer));
+    if (result.empty())
+      append(result, classified(answers(equations, none())));
+    else
+      for (const Parameter_region& region : regions)
+        append(result, classified(answers(Coincidence<d>(m_pair.part(region.box)), region.is_open)));
     return result;
   }
 
+  std::vector<bool> none() const { return std::vector<bool>(m_pair.number_of_parameters(), false); }
+
   template <class T>
-  static void append(std::vector<T>& all, const std::vector<T>& more) { all.insert(all.end(), more.begin(), more.end()); }
+  static void append(std::vector<T>& all, std::vector<T> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
 
   std::vector<Answer> answers(const Coincidence<d>& equations, const std::vector<bool>& is_open)
   {
@@ -104,25 +107,64 @@ private:
 
   std::vector<Answer> answers(const Patch_pair<d>& pair) { return answers(Coincidence<d>(pair), std::vector<bool>(pair.number_of_parameters(), false)); }
 
+  std::vector<Common_point> classified(const std::vector<Answer>& answers)
+  {
+    std::vector<Common_point> result;
+    for (const Answer& answer : answers)
+      result.push_back(classified(answer));
+    return result;
+  }
+
   Common_point classified(const Answer& answer)
   {
-    Common_point result{kind_of(answer.solution), answer.parameters, std::vector<bool>(m_pair.number_of_parameters(), false), answer.solution, {}};
-    if (!is_one_point(answer.solution))
+    Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution, is_on_upper_seam(answer.parameters)};
+    const std::optional<std::size_t> surface = result.kind == Intersection_kind::OVERLAP ? set_pole(result) : std::nullopt;
+    if (!surface && !is_one_point(answer.solution))
       return result;
     for (const Parameter_end& end : m_pair.ends()) {
-      if (!touches(answer.parameters, end))
+      if (m_pair.operand_of(end.parameter) == surface || !touches(answer.parameters, end))
         continue;
       const CGAL::Uncertain<bool> is_at_end = has_common_point(m_pair.at(end, answer.region));
       if (!CGAL::is_certain(is_at_end))
-        return {Intersection_kind::UNDECIDED, answer.parameters, std::vector<bool>(m_pair.number_of_parameters(), false), answer.solution, {}};
-      if (CGAL::certainly_not(is_at_end))
-        continue;
-      result.parameters[end.parameter] = {end.value, end.value};
-      result.is_at_end[end.parameter] = true;
-      if (result.kind != Intersection_kind::TANGENT)
-        result.kind = Intersection_kind::END_POINT;
+        return {Intersection_kind::UNDECIDED, answer.parameters, none(), answer.solution, false};
+      if (CGAL::certainly(is_at_end))
+        set_end(result, end);
     }
     return result;
+  }
+
+  void set_end(Common_point& point, const Parameter_end& end) const
+  {
+    if (point.kind != Intersection_kind::TANGENT)
+      point.kind = Intersection_kind::END_POINT;
+    const bool is_alone = point.kind == Intersection_kind::END_POINT || (point.solution && point.solution->multiplicity() == 2);   // other clusters may hold more
+    point.parameters[end.parameter] = {end.value, end.value};
+    point.is_at_end[end.parameter] = true;
+    point.is_repeated = point.is_repeated || (is_alone && is_on_upper_seam(point.parameters));
+  }
+
+  // All parameters on the upper end of a closed operand.
+  bool is_on_upper_seam(const Parameter_box& parameters) const
+  {
+    const std::vector<Parameter_end> ends = m_pair.ends();
+    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) { return end.is_upper && is_at(parameters, end) && m_pair.is_closed(end.parameter); });
+  }
+
+  static bool is_at(const Parameter_box& parameters, const Parameter_end& end)
+  {
+    return parameters[end.parameter] == Parameter_range(end.value, end.value);
+  }
+
+  // A segment of solutions may be the pole of a surface: of which operand.
+  std::optional<std::size_t> set_pole(Common_point& point) const
+  {
+    for (const Parameter_end& end : m_pair.ends())
+      if (is_at(point.parameters, end) && m_pair.pole(end)) {
+        point.is_at_end[end.parameter] = true;
+        point.kind = Intersection_kind::END_POINT;
+        return m_pair.operand_of(end.parameter);
+      }
+    return std::nullopt;
   }
 
   static Intersection_kind kind_of(const std::optional<Solution>& solution)
@@ -172,78 +214,60 @@ private:
     return CGAL::Uncertain<bool>::indeterminate();
   }
 
-  // At the upper end of a closed operand, where the lower one is the same point. A cluster may hold more than that.
-  bool is_repeated(const Common_point& x) const
-  {
-    const bool is_alone = x.kind == Intersection_kind::END_POINT || (x.kind == Intersection_kind::TANGENT && x.solution && x.solution->multiplicity() == 2);
-    if (!is_alone)
-      return false;
-    const std::vector<Parameter_end> ends = m_pair.ends();
-    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) {
-      return end.is_upper && x.is_at_end[end.parameter] && x.parameters[end.parameter].first == end.value && m_pair.is_closed(end.parameter);
-    });
-  }
-
-  std::vector<Pole> poles() const
+  // Poles that the solver does not find.
+  std::vector<Pole> poles(const Coincidence<d>& equations) const
   {
     std::vector<Pole> result;
-    for (const std::size_t operand : {std::size_t(0), std::size_t(1)})
-      for (int axis = 0; axis < 2 && m_pair[operand].number_of_parameters() == 2; ++axis)
-        for (const bool is_upper : {false, true}) {
-          const auto [begin, end] = m_pair[operand].domain(axis);
-          const Exact_rational& value = is_upper ? end : begin;
-          const Spline_patch<d> edge = m_pair[operand].part(axis, {value, value});
-          if (edge.is_one_point())
-            result.push_back({operand, {m_pair.first_parameter(operand) + axis, is_upper, value}, Spline_patch<d>(edge(edge.first_corner()))});
-        }
+    for (const Parameter_end& end : m_pair.ends())
+      if (!equations.has_eliminated(1 - m_pair.operand_of(end.parameter)))
+        if (const auto point = m_pair.pole(end))
+          result.push_back({end, *point});
     return result;
   }
 
-  // What is proved to be a common point at a pole, with boxes of parameters that hold no other one, or else are undecided.
+  // What is proved to be a common point at a pole.
   std::vector<Common_point> points_at(const Pole& pole)
   {
+    const std::size_t surface = m_pair.operand_of(pole.end.parameter);
     std::vector<Common_point> result;
-    for (const Common_point& point : Intersection_finder(m_pair.with(pole.operand, pole.point), m_solve).with_seams()) {
+    for (const Common_point& point : Intersection_finder(m_pair.with(surface, pole.point), m_solve).with_seams()) {
       if (point.kind == Intersection_kind::UNDECIDED || point.kind == Intersection_kind::OVERLAP)
         continue;
-      Common_point& all = result.emplace_back(Common_point{Intersection_kind::END_POINT, m_pair.domain(), std::vector<bool>(m_pair.number_of_parameters(), false), std::nullopt, {}});
-      const std::size_t begin = m_pair.first_parameter(1 - pole.operand);
-      std::copy(point.parameters.begin(), point.parameters.end(), all.parameters.begin() + static_cast<std::ptrdiff_t>(begin));
-      std::copy(point.is_at_end.begin(), point.is_at_end.end(), all.is_at_end.begin() + static_cast<std::ptrdiff_t>(begin));
+      Common_point all{Intersection_kind::END_POINT, m_pair.domain(), none(), std::nullopt, point.is_repeated};
+      const auto begin = static_cast<std::ptrdiff_t>(m_pair.first_parameter(1 - surface));
+      std::copy(point.parameters.begin(), point.parameters.end(), all.parameters.begin() + begin);
+      std::copy(point.is_at_end.begin(), point.is_at_end.end(), all.is_at_end.begin() + begin);
       all.parameters[pole.end.parameter] = {pole.end.value, pole.end.value};
       all.is_at_end[pole.end.parameter] = true;
-      if (!find_neighbourhood(pole, all)) {
-        all.kind = Intersection_kind::UNDECIDED;
-        all.parameters = all.neighbourhood;
-      }
+      result.push_back(std::move(all));
     }
     return result;
   }
 
   /*
-  Let the other operand be at the pole P at t0. For all t and all parameters v of the surface away from the pole, C(t) - P = (t - t0) a and S - P = (v - v0) b, with vectors in the bounds of C' and
-  of the derivative of S. If no such a and b are parallel, then C(t) = S only at P.
+  A box around a common point at a pole that has no other one, or else is undecided. Let the other operand C be at the pole P at t0. For all t and all parameters v of the surface away from the
+  pole, C(t) - P = (t - t0) a and S - P = (v - v0) b, with vectors in the bounds of C' and of the derivative of S. If no such a and b are parallel, then C(t) = S only at P.
   */
-  bool find_neighbourhood(const Pole& pole, Common_point& point) const
+  Parameter_box with_neighbourhood(const Pole& pole, Common_point& point) const
   {
-    constexpr int halvings = 12;
     const Parameter_box domain = m_pair.domain();
-    const std::size_t other = 1 - pole.operand, begin = m_pair.first_parameter(pole.operand);
-    for (int i = 2; i <= halvings; ++i) {
-      point.neighbourhood = point.parameters;
-      for (std::size_t j = 0; j < domain.size(); ++j)
-        if (j == pole.end.parameter || j < begin || j >= begin + 2) {
-          const Exact_rational margin((domain[j].second - domain[j].first) / (1 << i));
-          point.neighbourhood[j].first -= margin;
-          point.neighbourhood[j].second += margin;
-        }
-      point.neighbourhood = clipped(point.neighbourhood, domain);
-      const Patch_pair<d> near = m_pair.part(point.neighbourhood);
-      const int axis = static_cast<int>(pole.end.parameter - begin);
-      if (near[other].number_of_parameters() == 0 ? is_nonzero(near[pole.operand], axis) : differs(near[pole.operand], axis, near[other].tangents(0)))
-        return true;
+    const std::size_t surface = m_pair.operand_of(pole.end.parameter);
+    Parameter_box result;
+    for (const int divisor : {4, 8, 16, 32, 64}) {
+      result = point.parameters;
+      for (std::size_t j = 0; j < domain.size(); ++j) {
+        const Exact_rational margin((domain[j].second - domain[j].first) / divisor);
+        result[j].first -= margin;
+        result[j].second += margin;
+      }
+      result = clipped(result, domain);
+      const Patch_pair<d> near = m_pair.part(result);
+      if (differs(near[surface], m_pair.axis_of(pole.end.parameter), near[1 - surface].tangents(0)))
+        return result;
     }
-    return false;
+    point.kind = Intersection_kind::UNDECIDED;
+    point.parameters = result;
+    return result;
   }
 
   static bool has_zero(const Rational_interval& x) { return x.lower <= 0 && x.upper >= 0; }
@@ -257,24 +281,13 @@ private:
     return true;
   }
 
-  static bool is_nonzero(const Spline_patch<d>& surface, int axis)
+  // Whether no derivative of a surface by an axis is parallel to a direction, on the parts of the other axis that are small enough.
+  static bool differs(const Spline_patch<d>& surface, int axis, const Vector_bounds<d>& direction, int depth = 6)
   {
-    return holds_on_parts(surface, axis, [](const Vector_bounds<d>& tangent) { return !std::all_of(tangent.begin(), tangent.end(), has_zero); });
-  }
-
-  static bool differs(const Spline_patch<d>& surface, int axis, const Vector_bounds<d>& direction)
-  {
-    return holds_on_parts(surface, axis, [&](const Vector_bounds<d>& tangent) { return !are_parallel(tangent, direction); });
-  }
-
-  // Whether the derivatives by an axis have a property, on the parts of the other axis that are small enough.
-  template <class Property>
-  static bool holds_on_parts(const Spline_patch<d>& surface, int axis, const Property& property, int depth = 6)
-  {
-    if (property(surface.tangents(axis)))
+    if (!are_parallel(surface.tangents(axis), direction))
       return true;
     const auto halves = surface.halves(1 - axis);
-    return depth > 0 && holds_on_parts(halves[0], axis, property, depth - 1) && holds_on_parts(halves[1], axis, property, depth - 1);
+    return depth > 0 && differs(halves[0], axis, direction, depth - 1) && differs(halves[1], axis, direction, depth - 1);
   }
 };
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -61,10 +63,22 @@ public:
     return result;
   }
 
-  bool is_closed(std::size_t parameter) const
+  // The operand that a parameter belongs to.
+  std::size_t operand_of(std::size_t parameter) const { return parameter < first_parameter(1) ? 0 : 1; }
+
+  // The number of a parameter on its operand.
+  int axis_of(std::size_t parameter) const { return static_cast<int>(parameter - first_parameter(operand_of(parameter))); }
+
+  bool is_closed(std::size_t parameter) const { return m_patches[operand_of(parameter)].is_closed(axis_of(parameter)); }
+
+  // The point that an edge of a surface consists of, if it is a pole.
+  std::optional<Spline_patch<d>> pole(const Parameter_end& end) const
   {
-    const std::size_t split = first_parameter(1);
-    return parameter < split ? m_patches[0].is_closed(static_cast<int>(parameter)) : m_patches[1].is_closed(static_cast<int>(parameter - split));
+    const Spline_patch<d>& surface = m_patches[operand_of(end.parameter)];
+    if (surface.number_of_parameters() < 2)
+      return std::nullopt;
+    const Spline_patch<d> edge = surface.part(axis_of(end.parameter), {end.value, end.value});
+    return edge.is_one_point() ? std::optional(Spline_patch<d>(edge(edge.first_corner()))) : std::nullopt;
   }
 
   // With the parameters in these ranges. Those whose range is one number are parameters no more.

@@ -33,8 +33,10 @@ inline Exact_function part_of(const Exact_function& f, int axis, const Parameter
 {
   if (range.first < range.second)
     return range == f.domain(axis) ? f : f.restricted(axis, range.first, range.second);
-  const Exact_rational begin = f.domain(axis).first;
-  return range.first == begin ? f.face(axis, 0) : f.restricted(axis, begin, range.first).face(axis, 1);
+  const auto [begin, end] = f.domain(axis);
+  if (range.first == begin)
+    return f.face(axis, 0);
+  return range.first == end ? f.face(axis, 1) : f.restricted(axis, begin, range.first).face(axis, 1);
 }
 
 template <int d>
