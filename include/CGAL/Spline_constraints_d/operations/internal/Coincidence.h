@@ -6,7 +6,6 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
-#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
 #include <algorithm>
 #include <array>
@@ -151,25 +150,49 @@ public:
   // Whether the parameters of an operand are.
   bool has_eliminated(std::size_t operand) const { return m_eliminated == operand; }
 
+  // The operand that is not, in coordinates in which the other one is one of the first axes, or the plane of two. \pre There is one.
+  const Spline_patch<d>& position() const { return *m_position; }
+
   // The range of the unknowns: the parameters that are not eliminated.
   Parameter_box unknown_ranges() const { return unknowns_of(m_pair.domain()); }
 
-  // The equations, and that all parameters are in their ranges, without the upper ends of some of these. \pre There are unknowns.
-  Constraint_system_d system(const std::vector<bool>& is_open) const
+  // The unknowns as symbols.
+  std::vector<Unknown> unknowns() const
   {
-    const Parameter_box ranges = unknown_ranges();
-    const std::vector<Unknown> u = unknowns(bounds(ranges));
-    Constraint_system_d result(ranges);
-    for (const Constraint& constraint : constraints(u, is_open))
-      result.add(constraint);
+    std::vector<std::array<Bound, 2>> ranges;
+    for (const auto& [lower, upper] : unknown_ranges())
+      ranges.push_back({Bound(lower), Bound(upper)});
+    return ranges.empty() ? std::vector<Unknown>() : Spline_constraints::unknowns(ranges);
+  }
+
+  // The equations, and that all parameters are in their ranges, without the upper ends of some of these.
+  std::vector<Constraint> constraints(std::span<const Unknown> u, const std::vector<bool>& is_open) const
+  {
+    std::vector<Constraint> result = m_position ? constraints_on_position(u, is_open) : equations(difference(u), 0, u.size());
+    const std::vector<bool> open = unknowns_of(is_open);
+    for (std::size_t j = 0; j < u.size(); ++j)
+      if (open[j])
+        result.push_back(u[j] < u[j].domain().second);
     return result;
   }
 
-  // Without unknowns: whether all of that holds.
-  bool holds(const std::vector<bool>& is_open) const
+  // A normal of an operand that is a surface.
+  Vector_expression<d> normal(std::size_t operand, std::span<const Unknown> u) const
+    requires (d == 3)
   {
-    const std::vector<Constraint> all = constraints({}, is_open);
-    return std::all_of(all.begin(), all.end(), [](const Constraint& c) { return is_satisfied(c.relation, CGAL::sign(c.function.constant_term())); });
+    if (m_eliminated == operand) {
+      const Affine_frame<d> frame = frame_at_corner(m_pair[operand]);
+      const auto constant = [&](int k) { return vector_of<d>([&](std::size_t i) { return Expression(frame.directions[k][i]); }); };
+      return cross(constant(0), constant(1));
+    }
+    return cross(tangent(operand, 0, u), tangent(operand, 1, u));
+  }
+
+  // The derivative by an axis of an operand that is not eliminated.
+  Vector_expression<d> tangent(std::size_t operand, int axis, std::span<const Unknown> u) const
+  {
+    const std::size_t begin = m_position || operand == 0 ? 0 : m_pair.first_parameter(1);
+    return Parametric_vector<d>(m_pair[operand]).tangent(axis)(u.subspan(begin, m_pair[operand].number_of_parameters()));
   }
 
   // All parameters, where the unknowns are in a box.
@@ -216,24 +239,6 @@ private:
     return Sequence(begin, begin + static_cast<std::ptrdiff_t>(count));
   }
 
-  static std::vector<std::array<Bound, 2>> bounds(const Parameter_box& box)
-  {
-    std::vector<std::array<Bound, 2>> result;
-    for (const auto& [lower, upper] : box)
-      result.push_back({Bound(lower), Bound(upper)});
-    return result;
-  }
-
-  std::vector<Constraint> constraints(std::span<const Unknown> u, const std::vector<bool>& is_open) const
-  {
-    std::vector<Constraint> result = m_position ? constraints_on_position(u, is_open) : equations(difference(u), 0);
-    const std::vector<bool> open = unknowns_of(is_open);
-    for (std::size_t j = 0; j < u.size(); ++j)
-      if (open[j])
-        result.push_back(u[j] < u[j].domain().second);
-    return result;
-  }
-
   Vector_expression<d> difference(std::span<const Unknown> u) const
   {
     const std::size_t split = m_pair.first_parameter(1);
@@ -252,8 +257,6 @@ private:
     }
     return result;
   }
-
-  std::vector<Constraint> equations(const Vector_expression<d>& x, int first) const { return equations(x, first, m_pair.number_of_parameters()); }
 
   // That coordinates are zero, without those that are everywhere, as long as there are as many equations as unknowns.
   static std::vector<Constraint> equations(const Vector_expression<d>& x, int first, std::size_t number_of_unknowns)

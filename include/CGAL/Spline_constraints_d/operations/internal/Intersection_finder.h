@@ -93,12 +93,14 @@ private:
   std::vector<Answer> answers(const Coincidence<d>& equations, const std::vector<bool>& is_open)
   {
     std::vector<Answer> result;
-    if (equations.unknown_ranges().empty()) {
-      if (equations.holds(is_open))
+    const std::vector<Unknown> u = equations.unknowns();
+    const std::vector<Constraint> constraints = equations.constraints(u, is_open);
+    if (u.empty()) {
+      if (hold(constraints))
         result.push_back({std::nullopt, equations.all_parameters({}), equations.with_whole_ranges({})});
       return result;
     }
-    for (const Solution& solution : m_solve(equations.system(is_open))) {
+    for (const Solution& solution : m_solve(constraints, u)) {
       const Parameter_box box = solution.exact_box(), region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
       result.push_back({solution, equations.all_parameters(box), equations.with_whole_ranges(region)});
     }

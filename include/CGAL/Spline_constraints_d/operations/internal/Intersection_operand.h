@@ -124,12 +124,19 @@ struct Intersection_operand<CGAL::Plane_3<K>> : Unbounded_operand<K, 2, 3>
   }
 };
 
-// Two of them in the same space and kernel, not both unbounded, with few enough parameters for points to be isolated.
+// Two of them in the same space and kernel, not both unbounded.
+template <class A, class B>
+concept Operand_pair =
+  Intersection_operand<A>::dimension == Intersection_operand<B>::dimension && std::same_as<typename Intersection_operand<A>::Kernel, typename Intersection_operand<B>::Kernel> &&
+  (Intersection_operand<A>::is_bounded || Intersection_operand<B>::is_bounded);
+
+template <class A, class B>
+concept Surface_operands = Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters == 2 && Intersection_operand<B>::number_of_parameters == 2;
+
+// With few enough parameters for points to be isolated.
 template <class A, class B>
 concept Intersection_operands =
-  Intersection_operand<A>::dimension == Intersection_operand<B>::dimension && std::same_as<typename Intersection_operand<A>::Kernel, typename Intersection_operand<B>::Kernel> &&
-  (Intersection_operand<A>::is_bounded || Intersection_operand<B>::is_bounded) &&
-  Intersection_operand<A>::number_of_parameters + Intersection_operand<B>::number_of_parameters <= Intersection_operand<A>::dimension;
+  Operand_pair<A, B> && Intersection_operand<A>::number_of_parameters + Intersection_operand<B>::number_of_parameters <= Intersection_operand<A>::dimension;
 
 // Both as patches; none if an unbounded one is nowhere near the other one.
 template <class A, class B>
