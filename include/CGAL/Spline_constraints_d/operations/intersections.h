@@ -18,8 +18,29 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, each common point once for each pair of its parameters.
+all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane for points and curves, in space also for a point or curve with a surface. Two
+surfaces have curves in common; where they touch in points, `contact_points()` finds these.
 
+A common point is reported once for each pair of parameters: where an operand crosses itself, there are several. On the seam of a closed operand, where two parameters stand for one point, it is the
+lower one. At a pole of a surface, an edge that is one point, a whole range stands for it, which is one answer. A point on a knot is found once.
+
+Operands are taken exactly (doubles are rational numbers), and so are all decisions. Whether a common point is at an end of a parameter is a system with one unknown less; the solver finds all of its
+solutions where the first one has just one. Systems with more equations than unknowns, as of two curves in space, are decided by exact signs: operands that miss each other by however
+little do not meet. If the points of an operand are affine in its parameters, as those of a point, segment or parallelogram, these are eliminated.
+
+An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, and for a curve in a planar parallelogram. Its parameter ranges are exact where the solver finds a segment or an
+interval with rational ends, and enclosures otherwise. Other curves in space that lie in a surface are `UNDECIDED`.
+
+\tparam A,B `CGAL::Point_2` or `CGAL::Point_3`; models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`; what `to_bspline_surface()` or `to_bspline_curve()` converts alone, in this order, such as
+`CGAL::Segment_3`, `CGAL::Circle_2`, `CGAL::Sphere_3` or `CGAL::Triangle_3`; `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3`, whose parameter \f$t\f$ stands for \f$p + t\,d\f$ with the source \f$p\f$
+of the ray and its second point \f$p + d\f$, or the `point()` and `to_vector()` of the line in space, or the point next to the origin and `to_vector()` of the line in the plane; and `CGAL::Plane_3`, one at most that is
+unbounded. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
+\param a the first operand.
+\param b the second operand.
+\param options those of the solver, for each of the systems; a tolerance concerns only what remains undecided.
+\throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, or an option makes no sense.
+
+Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.
 */
 template <class A, class B>
   requires internal::Intersection_operands<A, B>

@@ -189,7 +189,7 @@ private:
       add(kind_of(solution), equations.all_parameters(solution.exact_box()), solution);
   }
 
-  // In coordinates in which the plane is z = 0, with z and its derivatives up to the weight.
+  // In coordinates in which the plane is z = 0, with the numerator of z and its derivatives. In the place of z stands z + z_u, for the gradient of z vanishes where all are zero.
   void find_contacts_with_plane(const Coincidence<3>& equations, std::size_t plane, const Contact_piece& piece)
   {
     const std::vector<Unknown> u = equations.unknowns();
@@ -199,8 +199,9 @@ private:
     std::copy(piece.is_without_end.begin(), piece.is_without_end.end(), is_open.begin() + static_cast<std::ptrdiff_t>(2 - 2 * plane));
     std::vector<Constraint> constraints = equations.constraints(u, is_open);
     const Exact_function& z = equations.position().numerators()[2];
-    const Vector_of_functions<3> contact{z, z.derivative(0), z.derivative(1)};
+    const Vector_of_functions<3> contact{z + z.derivative(0), z.derivative(0), z.derivative(1)};
     const Vector_expression<3> values = Parametric_vector<3>(contact)(u);
+    constraints.front() = values[0] == 0;
     for (const int axis : {0, 1})
       constraints.push_back(values[1 + axis] == 0);
     exclude_poles(piece, u, constraints);
