@@ -35,25 +35,31 @@ int main()
   for (int i = 0; i < 16; ++i)
     net.emplace_back(2 * (i / 4), 2 * (i % 4), heights[i]);
   const SC::Bspline_surface_3<K> surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, net);
-  const auto curve = SC::bezier_curve(std::vector<Point>{{1, 1, 5}, {2, 1, -17}, {2, 3, 24}, {4, 3, -22}, {4, 5, 24}, {5, 5, -5}});
-  const K::Ray_3 ray(Point(-1, 3, 0), Point(0, 3, K::FT(1) / 4));
+  const auto curve = SC::bezier_curve(std::vector<Point>{{0.5, 5, 2.5}, {1.5, 5, -10.5}, {2.5, 4, 26}, {3.5, 2, -21}, {4.5, 1, 12.5}, {5.5, 1, -1.5}});
+  const K::Ray_3 ray(Point(-1, 4, 0.5), Point(0, 3.75, 0.75));
 
   std::ofstream file("intersect_surfaces.svg");
-  SC::SVG_writer picture(file, CGAL::Bbox_2(-5, -2.5, 7.5, 6.5), 640);
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-5, -1, 7.5, 6.5), 640);
   for (int k = 0; k <= 12; ++k)
     for (const int axis : {0, 1})
       picture.curve(projected(surface.iso_curve(axis, K::FT(k) / 12)), k % 12 == 0 ? "#555" : "#b8c4d0", k % 12 == 0 ? 1.5 : 0.8);
-  picture.curve(projected(curve), "#1f77b4", 2);
-  picture.curve(projected(SC::segment_curve(ray.source(), ray.point(9))), "#ff7f0e", 2);
+  picture.curve(projected(SC::segment_curve(ray.source(), ray.point(8))), "#ff7f0e", 2);
 
   const auto crossings = SC::intersections(curve, surface), hits = SC::intersections(ray, surface);   // in order along the curve and the ray
+  double begin = 0;
+  const char* color = "#1f77b4";   // dark above the surface, light below
   for (const auto& x : crossings) {
+    picture.curve(projected(curve.restricted(begin, x.parameter(0))), color, 2.5);
+    color = color[1] == '1' ? "#a9d0ea" : "#1f77b4";
+    begin = x.parameter(0);
     std::cout << "The curve at " << x.parameter(0) << " passes the surface at (" << x.parameter(1, 0) << ", " << x.parameter(1, 1) << ").\n";
-    picture.point(projected(x.point()), "#d62728");
   }
+  picture.curve(projected(curve.restricted(begin, 1)), color, 2.5);
+  for (const auto& x : crossings)
+    picture.point(projected(x.point()), "#d62728");
   for (const auto& x : hits)
     picture.point(projected(x.point()), "#2ca02c");
-  picture.label(K::Point_2(-4.8, 6), std::to_string(crossings.size()) + " points of the curve (red), " + std::to_string(hits.size()) + " of the ray (green)");
+  picture.label(K::Point_2(-4.8, 6.1), std::to_string(crossings.size()) + " points of the curve (red), " + std::to_string(hits.size()) + " of the ray (green)");
 
   // The axis of the sphere passes its poles; a line touches it, and so does a plane.
   const K::Sphere_3 sphere(Point(0, 0, 0), 9);
