@@ -127,6 +127,15 @@ TEST(Surface_intersections, PolesOfASphere)
   EXPECT_EQ(crossings[0].is_at_end(1, 1) + crossings[1].is_at_end(1, 1), 1);
 }
 
+// (s^3 - s, 0, s^2) for s in [-2,2] crosses itself at the pole, where x^2 + z^2 - 1 = (s^2 - 1) (s^4 + 1) is zero, and nowhere else.
+TEST(Surface_intersections, CurveTwiceThroughAPole)
+{
+  const Function s = t * FT(4) - FT(2);
+  const auto found = SC::intersections(Curve::from_homogeneous_coordinates({s * s * s - s, s * FT(0), s * s}, one), unit_sphere);
+  expect_kinds(found, 0, 0, 2);
+  EXPECT_TRUE(holds(found[0].parameter_range(0), ratio(1, 4)) && holds(found[1].parameter_range(0), ratio(3, 4)));
+}
+
 TEST(Surface_intersections, ApexAndRulingsOfACone)
 {
   const Surface cone = SC::cone_surface(Point(0, 0, 0), Vector(0, 0, 5), Point(5, 0, 5));

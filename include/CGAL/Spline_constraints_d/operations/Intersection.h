@@ -28,7 +28,7 @@ What is known of an intersection of two operands.
 */
 enum class Intersection_kind {
   TRANSVERSAL,   ///< one common point that counts once, where no parameter is at an end: curves cross, a curve passes through a surface, a point lies on a curve or surface
-  TANGENT,       ///< one common point that counts several times: the operands touch, or one of them is singular there
+  TANGENT,       ///< a common point that counts several times: the operands touch, or one of them is singular there; or one on a knot that is not proved to count once
   END_POINT,     ///< one common point that counts once, at an end of a curve, on an edge of a surface, on the seam of a closed operand, or at the pole of a surface
   OVERLAP,       ///< a piece of one operand lies on the other
   UNDECIDED      ///< nothing is proved: there may be common points with these parameters
@@ -114,7 +114,7 @@ public:
   int multiplicity() const { return m_common.solution ? m_common.solution->multiplicity() : m_common.kind == Intersection_kind::TRANSVERSAL ? 1 : 0; }
 
   //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or those of one operand, if the points of the other one are affine in its parameters:
-  //! a point, a segment, a parallelogram. None without unknowns, and at poles.
+  //! a point, a segment, a parallelogram. None without unknowns, and at poles that were found otherwise.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:

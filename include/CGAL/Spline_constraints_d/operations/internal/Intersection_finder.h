@@ -267,8 +267,7 @@ private:
       if (differs(near[surface], m_pair.axis_of(pole.end.parameter), near[1 - surface].tangents(0)))
         return result;
     }
-    point.kind = Intersection_kind::UNDECIDED;
-    point.parameters = result;
+    point = {Intersection_kind::UNDECIDED, result, none(), std::nullopt, false};
     return result;
   }
 

@@ -113,9 +113,9 @@ inline Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
   return box;
 }
 
-inline bool is_empty(const Parameter_box& box)
+inline bool has_interior(const Parameter_box& box)
 {
-  return std::any_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.second < range.first; });
+  return std::all_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.first < range.second; });
 }
 
 // A box of parameters, without the upper ends of some of its ranges.
@@ -125,11 +125,11 @@ struct Parameter_region
   std::vector<bool> is_open;
 };
 
-// A region without a closed box, in parts that have no common points.
+// A region without a box, in parts that have no common points. Of the boundary of the box, parts may be left.
 inline std::vector<Parameter_region> without(Parameter_region region, const Parameter_box& hole)
 {
   const Parameter_box common = clipped(hole, region.box);
-  if (is_empty(common))
+  if (!has_interior(common))
     return {region};
   std::vector<Parameter_region> result;
   for (std::size_t j = 0; j < common.size(); ++j) {
