@@ -31,10 +31,12 @@ little do not meet. If the points of an operand are affine in its parameters, as
 An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, and for a curve in a planar parallelogram. Its parameter ranges are exact where the solver finds a segment or an
 interval with rational ends, and enclosures otherwise. Other curves in space that lie in a surface are `UNDECIDED`.
 
-\tparam A,B `CGAL::Point_2` or `CGAL::Point_3`; models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`; what `to_bspline_surface()` or `to_bspline_curve()` converts alone, in this order, such as
-`CGAL::Segment_3`, `CGAL::Circle_2`, `CGAL::Sphere_3` or `CGAL::Triangle_3`; `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3`, whose parameter \f$t\f$ stands for \f$p + t\,d\f$ with the source \f$p\f$
-of the ray and its second point \f$p + d\f$, or the `point()` and `to_vector()` of the line in space, or the point next to the origin and `to_vector()` of the line in the plane; and `CGAL::Plane_3`, one at most that is
-unbounded. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
+A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$,
+that of a line for \f$p + t\,d\f$ with \f$d\f$ its `to_vector()` and \f$p\f$ its `point()` in space, the point next to the origin in the plane. Other objects of CGAL have the parameters that `to_bspline_surface()` gives them, or, where
+it does not know them, `to_bspline_curve()`.
+
+\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`, objects of CGAL with a conversion to one of these (segments, circles, triangles, spheres and others), or
+one of them `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3` or `CGAL::Plane_3`. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
 \param a the first operand.
 \param b the second operand.
 \param options those of the solver, for each of the systems; a tolerance concerns only what remains undecided.

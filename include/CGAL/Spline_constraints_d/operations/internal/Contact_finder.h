@@ -193,8 +193,6 @@ private:
   void find_contacts_with_plane(const Coincidence<3>& equations, std::size_t plane, const Contact_piece& piece)
   {
     const std::vector<Unknown> u = equations.unknowns();
-    if (u.empty())
-      return;
     std::vector<bool> is_open(4, false);
     std::copy(piece.is_without_end.begin(), piece.is_without_end.end(), is_open.begin() + static_cast<std::ptrdiff_t>(2 - 2 * plane));
     std::vector<Constraint> constraints = equations.constraints(u, is_open);
