@@ -5,7 +5,7 @@
 // intersect_drawing.svg.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/curve_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

@@ -126,6 +126,17 @@ TEST(Continua, CommonLine)
 }
 
 // Where inequalities leave one point of the line, or none.
+// One of them ends on the other, which is a side of the square.
+TEST(Continua, LineThatEndsOnALine)
+{
+  const System system = with_equalities(cube(2, 0, 1), {y * (3 * x - 1) * (x + 2), y * (3 * x - 1) * (x + y + 3)});
+  const Solutions solutions = SC::solve(system);
+  EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
+  ASSERT_EQ(solutions.size(), 2u);
+  EXPECT_EQ(solutions[0].ends(), (Ends{{0, 0}, {1, 0}}));
+  EXPECT_EQ(solutions[1].ends(), (Ends{{fraction(1, 3), 0}, {fraction(1, 3), 1}}));
+}
+
 TEST(Continua, InequalitiesOnTheLine)
 {
   System system = with_equalities(cube(2, -2, 2), {(x - y) * (x * x + y * y - 2), (x - y) * (x * y - fraction(1, 2))});

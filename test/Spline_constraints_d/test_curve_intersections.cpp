@@ -5,7 +5,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/curve_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

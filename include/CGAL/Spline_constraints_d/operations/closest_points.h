@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Critical_distances.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Distance_operand.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Spline_operand.h>
 #include <CGAL/Spline_constraints_d/operations/internal/distance_bounds.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
@@ -155,13 +155,13 @@ center of a circle does, get a `CONTINUUM`. What satisfies the equations because
 Complexity: that of a system of one equation in one unknown, or two in two, for each smooth piece.
 */
 template <class Point, class Object>
-  requires internal::Distance_operands<Point, Object> && (internal::Distance_operand<Point>::number_of_parameters == 0)
+  requires internal::Spline_operands<Point, Object> && (internal::Spline_operand<Point>::number_of_parameters == 0)
 auto projections(const Point& point, const Object& object, const Solver_options& options = {})
 {
-  using Operand = internal::Distance_operand<Object>;
+  using Operand = internal::Spline_operand<Object>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Spline_patch<d> a = internal::Distance_operand<Point>::patch(point), b = Operand::patch(object);
+  const internal::Spline_patch<d> a = internal::Spline_operand<Point>::patch(point), b = Operand::patch(object);
   internal::Critical_distances<d> search(a, b, internal::perpendicular_before, options);
   Projections<Kernel, d> result;
   for (internal::Critical_distance& foot : search.all())
@@ -197,13 +197,13 @@ Complexity: that of a system in as many unknowns as the operands have parameters
 are too far apart are not looked at.
 */
 template <class A, class B>
-  requires internal::Distance_operands<A, B>
+  requires internal::Spline_operands<A, B>
 auto closest_points(const A& a, const B& b, const Solver_options& options = {})
 {
-  using Operand = internal::Distance_operand<A>;
+  using Operand = internal::Spline_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  const internal::Spline_patch<d> first = Operand::patch(a), second = internal::Distance_operand<B>::patch(b);
+  const internal::Spline_patch<d> first = Operand::patch(a), second = internal::Spline_operand<B>::patch(b);
   internal::Critical_distances<d> search(first, second, internal::least_distance, options);
   std::vector<Point_pair<Kernel, d>> pairs;
   const std::vector<internal::Critical_distance> nearest = search.nearest();
@@ -218,7 +218,7 @@ auto closest_points(const A& a, const B& b, const Solver_options& options = {})
 two doubles between which the distance of two operands lies: `closest_points(a, b, options).distance_range()`.
 */
 template <class A, class B>
-  requires internal::Distance_operands<A, B>
+  requires internal::Spline_operands<A, B>
 std::pair<double, double> distance_range(const A& a, const B& b, const Solver_options& options = {})
 {
   return closest_points(a, b, options).distance_range();

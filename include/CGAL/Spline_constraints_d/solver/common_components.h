@@ -280,8 +280,11 @@ std::vector<Continuum> continua_in(const Common_cell& cell, const Solve& solve, 
   const int n = static_cast<int>(cell.box.size());
   std::vector<Continuum> result;
   Power_polynomial h = cell.factor;
-  if (n == 2 && !h.is_zero())
-    result = take_segments(h, cell, solve, open);
+  for (Power_polynomial before; n == 2 && !h.is_zero() && !(h == before);) {   // where a side is a line of zeros, other lines that end there are found without it
+    before = h;
+    const std::vector<Continuum> segments = take_segments(h, cell, solve, open);
+    result.insert(result.end(), segments.begin(), segments.end());
+  }
   if (h.is_constant() && !h.is_zero())
     return result;
   if (const auto corner = only_corner_zero(h, cell.box)) {

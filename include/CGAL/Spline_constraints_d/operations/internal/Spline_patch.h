@@ -33,8 +33,10 @@ inline Exact_function part_of(const Exact_function& f, int axis, const Parameter
 {
   if (range.first < range.second)
     return range == f.domain(axis) ? f : f.restricted(axis, range.first, range.second);
-  const Exact_rational begin = f.domain(axis).first;
-  return range.first == begin ? f.face(axis, 0) : f.restricted(axis, begin, range.first).face(axis, 1);
+  const auto [begin, end] = f.domain(axis);
+  if (range.first == begin)
+    return f.face(axis, 0);
+  return range.first == end ? f.face(axis, 1) : f.restricted(axis, begin, range.first).face(axis, 1);
 }
 
 template <int d>
@@ -71,6 +73,14 @@ public:
     m_weight = -m_weight;
     for (Exact_function& numerator : m_numerators)
       numerator = -numerator;
+  }
+
+  // The same parameters and weight with other numerators.
+  Spline_patch with_numerators(Vector_of_functions<d> numerators) const
+  {
+    Spline_patch result(*this);
+    result.m_numerators = std::move(numerators);
+    return result;
   }
 
   const Vector_of_functions<d>& numerators() const { return m_numerators; }
@@ -119,6 +129,23 @@ public:
     for (int axis = 0; axis < number_of_parameters(); ++axis)
       result.push_back(middle_of(domain(axis)));
     return result;
+  }
+
+  std::vector<Exact_rational> first_corner() const
+  {
+    std::vector<Exact_rational> result;
+    for (int axis = 0; axis < number_of_parameters(); ++axis)
+      result.push_back(domain(axis).first);
+    return result;
+  }
+
+  bool is_one_point() const
+  {
+    const std::array<Exact_rational, d> point = (*this)(first_corner());
+    for (int i = 0; i < d; ++i)
+      if (!(m_numerators[i] == m_weight * point[i]))
+        return false;
+    return true;
   }
 
   // The two parts on both sides of the middle of an axis.

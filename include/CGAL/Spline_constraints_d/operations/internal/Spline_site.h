@@ -167,7 +167,7 @@ public:
   Spline_site(const Spline_patch<d>& whole, std::vector<Axis_part> parts, const Joint_rule& rule)
     : m_parts(std::move(parts)), m_patch(whole.part(ranges())), m_bounds(m_patch.values()), m_point(m_patch)
   {
-    if (m_patch.number_of_parameters() == 1 && is_one_point())
+    if (m_patch.number_of_parameters() == 1 && m_patch.is_one_point())
       m_point = Parametric_vector<d>(m_patch = m_patch.part({at_begin(m_patch.domain(0))}));
     else
       for (std::size_t axis = 0; axis < m_parts.size(); ++axis)
@@ -215,15 +215,6 @@ public:
   }
 
 private:
-  bool is_one_point() const
-  {
-    const std::array<Exact_rational, d> point = m_patch(std::array{m_patch.domain(0).first});
-    for (int i = 0; i < d; ++i)
-      if (!(m_patch.numerators()[i] == m_patch.weight() * point[i]))
-        return false;
-    return true;
-  }
-
   static Parameter_range at_begin(const Parameter_range& range) { return {range.first, range.first}; }
 
   // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is orthogonal, that is a solution on the pieces that end there;

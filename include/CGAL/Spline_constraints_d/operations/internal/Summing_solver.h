@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -21,15 +23,36 @@ class Summing_solver
 public:
   explicit Summing_solver(const Solver_options& options) : m_solver(options) {}
 
-  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints)
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
+
+  // With these unknowns, whether constraints use them or not.
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
   {
-    Solution_set_d<double> result = m_solver(make_system(constraints));
-    m_total += result.summary();
-    return result;
+    std::vector<Constraint_system_d::Domain> domain;
+    for (const Unknown& unknown : unknowns)
+      domain.push_back(unknown.domain());
+    Constraint_system_d system(std::move(domain));
+    for (const Constraint& constraint : constraints)
+      system.add(constraint);
+    return solve(system);
   }
 
   const Summary& total() const { return m_total; }
+
+private:
+  Solution_set_d<double> solve(const Constraint_system_d& system)
+  {
+    Solution_set_d<double> result = m_solver(system);
+    m_total += result.summary();
+    return result;
+  }
 };
+
+// Whether constraints without unknowns are satisfied.
+inline bool hold(const std::vector<Constraint>& constraints)
+{
+  return std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) { return is_satisfied(c.relation, CGAL::sign(c.function.constant_term())); });
+}
 
 } // namespace internal
 } // namespace Spline_constraints

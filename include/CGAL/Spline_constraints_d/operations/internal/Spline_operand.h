@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_OPERAND_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_OPERAND_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_OPERAND_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_OPERAND_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
@@ -14,9 +14,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// What distances are measured between: how many parameters it has, in which space and kernel, and itself in exact numbers.
+// A point, curve or surface: how many parameters it has, in which space and kernel, and itself in exact numbers.
 template <class Object>
-struct Distance_operand;
+struct Spline_operand;
 
 template <class Object, int number_of_parameters_, int dimension_>
 struct Parametric_operand
@@ -27,16 +27,16 @@ struct Parametric_operand
 };
 
 template <ParametricCurve_2 Curve>
-struct Distance_operand<Curve> : Parametric_operand<Curve, 1, 2> {};
+struct Spline_operand<Curve> : Parametric_operand<Curve, 1, 2> {};
 
 template <ParametricCurve_3 Curve>
-struct Distance_operand<Curve> : Parametric_operand<Curve, 1, 3> {};
+struct Spline_operand<Curve> : Parametric_operand<Curve, 1, 3> {};
 
 template <ParametricSurface_3 Surface>
-struct Distance_operand<Surface> : Parametric_operand<Surface, 2, 3> {};
+struct Spline_operand<Surface> : Parametric_operand<Surface, 2, 3> {};
 
 template <SplineKernel K>
-struct Distance_operand<CGAL::Point_2<K>>
+struct Spline_operand<CGAL::Point_2<K>>
 {
   using Kernel = K;
   static constexpr int number_of_parameters = 0, dimension = 2;
@@ -49,7 +49,7 @@ struct Distance_operand<CGAL::Point_2<K>>
 };
 
 template <SplineKernel K>
-struct Distance_operand<CGAL::Point_3<K>>
+struct Spline_operand<CGAL::Point_3<K>>
 {
   using Kernel = K;
   static constexpr int number_of_parameters = 0, dimension = 3;
@@ -63,11 +63,11 @@ struct Distance_operand<CGAL::Point_3<K>>
 
 // Two of them in the same space and kernel.
 template <class A, class B>
-concept Distance_operands =
-  Distance_operand<A>::dimension == Distance_operand<B>::dimension && std::same_as<typename Distance_operand<A>::Kernel, typename Distance_operand<B>::Kernel>;
+concept Spline_operands =
+  Spline_operand<A>::dimension == Spline_operand<B>::dimension && std::same_as<typename Spline_operand<A>::Kernel, typename Spline_operand<B>::Kernel>;
 
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISTANCE_OPERAND_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SPLINE_OPERAND_H

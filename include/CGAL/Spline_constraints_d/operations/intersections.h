@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_H
+
+#include <CGAL/Spline_constraints_d/operations/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Intersection_finder.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Intersection_operand.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane for points and curves, in space also for a point or curve with a surface. Two
+surfaces have curves in common; where they touch in points, `contact_points()` finds these.
+
+A common point is reported once for each pair of parameters: where an operand crosses itself, there are several. On the seam of a closed operand, where two parameters stand for one point, it is the
+lower one. At a pole of a surface, an edge that is one point, a whole range stands for it, which is one answer. A point on a knot is found once.
+
+Operands are taken exactly (doubles are rational numbers), and so are all decisions. Whether a common point is at an end of a parameter is a system with one unknown less; the solver finds all of its
+solutions where the first one has just one. Systems with more equations than unknowns, as of two curves in space, are decided by exact signs: operands that miss each other by however
+little do not meet. If the points of an operand are affine in its parameters, as those of a point, segment or parallelogram, these are eliminated.
+
+An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, and for a curve in a planar parallelogram. Its parameter ranges are exact where the solver finds a segment or an
+interval with rational ends, and enclosures otherwise. Other curves in space that lie in a surface are `UNDECIDED`.
+
+A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$,
+that of a line for \f$p + t\,d\f$ with \f$d\f$ its `to_vector()` and \f$p\f$ its `point()` in space, the point next to the origin in the plane. Other objects of CGAL have the parameters that `to_bspline_surface()` gives them, or, where
+it does not know them, `to_bspline_curve()`.
+
+\tparam A,B `CGAL::Point_2`, `CGAL::Point_3`, models of `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3`, objects of CGAL with a conversion to one of these (segments, circles, triangles, spheres and others), or
+one of them `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3` or `CGAL::Plane_3`. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
+\param a the first operand.
+\param b the second operand.
+\param options those of the solver, for each of the systems; a tolerance concerns only what remains undecided.
+\throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, or an option makes no sense.
+
+Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.
+*/
+template <class A, class B>
+  requires internal::Intersection_operands<A, B>
+auto intersections(const A& a, const B& b, const Solver_options& options = {})
+{
+  using Operand = internal::Intersection_operand<A>;
+  constexpr int d = Operand::dimension;
+  using Kernel = typename Operand::Kernel;
+  internal::Summing_solver solve(options);
+  std::vector<Intersection<Kernel, d>> result;
+  if (const auto pair = internal::patch_pair(a, b))
+    for (internal::Common_point& point : internal::Intersection_finder<d>(*pair, solve)())
+      result.emplace_back(std::move(point), *pair);
+  return Intersections<Kernel, d>(std::move(result), solve.total());
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_H
