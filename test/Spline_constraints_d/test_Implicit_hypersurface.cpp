@@ -59,13 +59,14 @@ TEST(Implicit_hypersurface, PointsOfCurves)
   const SC::Implicit_curve_2 cubic(x * x * y - 2 * y + 5, square_box);
   const SC::Expression value = cubic(c(u));
   const SC::Vector_expression<2> gradient = cubic.gradient(c(u));
-  for (const Exact_rational& t : {Exact_rational(0), Exact_rational(1) / 3, Exact_rational(5) / 2}) {
+  for (const Exact_rational& t : std::vector<Exact_rational>{0, Exact_rational(1) / 3, Exact_rational(5) / 2}) {
     const std::array<Exact_rational, 1> at{t};
     EXPECT_EQ(value(at), cubic(c(at)));
     EXPECT_EQ(gradient(at), cubic.gradient(c(at)));
   }
   const SC::Implicit_curve_2 circle(x * x - 2 * x + y * y - 3, square_box);
-  for (const SC::Spline_term& term : (circle(c(u)) == 0).spline_function().terms())   // the curve is on it
+  const SC::Spline_function on_circle = (circle(c(u)) == 0).spline_function();
+  for (const SC::Spline_term& term : on_circle.terms())
     for (const auto& piece : term.pieces)
       for (const Exact_rational& coefficient : piece)
         EXPECT_EQ(coefficient, 0);

@@ -70,6 +70,17 @@ inline Exact_range bounds_of_polynomial(const Symbol_table& symbols, const Power
   return result;
 }
 
+// The two halves of a box along its widest axis. \pre there is an axis
+inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box)
+{
+  const auto widest = std::max_element(box.begin(), box.end(), [](const auto& a, const auto& b) { return a.second - a.first < b.second - b.first; }) - box.begin();
+  std::pair<Unknown_domains, Unknown_domains> result(box, box);
+  result.first[widest].second = result.second[widest].first = Exact_rational((box[widest].first + box[widest].second) / 2);
+  return result;
+}
+
+inline Exact_range hull_of(const Exact_range& a, const Exact_range& b) { return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)}; }
+
 } // namespace internal
 
 /*!
@@ -81,17 +92,24 @@ They are the least and the greatest Bernstein coefficient of the numerator, over
 and \f$O(h)\f$ for quotients.
 \param formula the formula.
 \param box a range for each unknown that was made together with those in the formula, within its own range.
+\param halvings how often parts of the box are halved where the bounds of the denominator hold zero.
 \throws Invalid_input when the box has a wrong number of ranges, and as `Constraint::spline_function()`.
 */
-inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula, const Unknown_domains& box)
+inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Expression& formula, const Unknown_domains& box, int halvings = 4)
 {
   if (formula.symbols() == nullptr)
     return internal::Exact_range(formula.numerator().constant_term(), formula.numerator().constant_term());
   internal::check_count(box.size(), formula.symbols()->domains().size(), "bounds: ranges of the box");
   const auto of = [&](const Power_polynomial& polynomial) { return internal::bounds_of_polynomial(*formula.symbols(), polynomial, box); };
-  const internal::Exact_range above = of(formula.numerator()), below = of(internal::polynomial_of(formula.denominator()));
-  if (below.first <= 0 && below.second >= 0)
-    return std::nullopt;
+  const internal::Exact_range below = of(internal::polynomial_of(formula.denominator()));
+  if (below.first <= 0 && below.second >= 0) {
+    if (halvings == 0)
+      return std::nullopt;
+    const auto [first, second] = internal::halves_of(box);
+    const auto a = bounds(formula, first, halvings - 1), b = a ? bounds(formula, second, halvings - 1) : a;
+    return b ? std::optional(internal::hull_of(*a, *b)) : std::nullopt;
+  }
+  const internal::Exact_range above = of(formula.numerator());
   const std::vector<Exact_rational> quotients{Exact_rational(above.first / below.first), Exact_rational(above.first / below.second), Exact_rational(above.second / below.first),
                                               Exact_rational(above.second / below.second)};
   const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());

@@ -17,6 +17,33 @@
 namespace CGAL {
 namespace Spline_constraints {
 
+namespace internal {
+
+// A range of a parameter within its domain, and whether it is one of the ends of this.
+struct Locus_parameter
+{
+  std::pair<Exact_rational, Exact_rational> range;
+  bool is_at_end;
+
+  Locus_parameter(const std::pair<Exact_rational, Exact_rational>& enclosure, const std::pair<Exact_rational, Exact_rational>& domain)
+    : range((std::max)(enclosure.first, domain.first), (std::min)(enclosure.second, domain.second)),
+      is_at_end(range.first == range.second && (range.first == domain.first || range.first == domain.second))
+  {}
+};
+
+inline Intersection_kind intersection_kind(Solution_kind kind)
+{
+  switch (kind) {
+  case Solution_kind::CERTIFIED: return Intersection_kind::TRANSVERSAL;
+  case Solution_kind::CLUSTER: return Intersection_kind::TANGENT;
+  case Solution_kind::CONTINUUM: return Intersection_kind::OVERLAP;
+  case Solution_kind::UNDECIDED: break;
+  }
+  return Intersection_kind::UNDECIDED;
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
@@ -31,23 +58,15 @@ public:
   //! a closed range of a coordinate, its ends rounded outwards.
   using Double_range = std::pair<double, double>;
 
-#ifndef DOXYGEN_RUNNING
-  struct Parameter
-  {
-    Range range;
-    bool is_at_end;
-  };
-#endif
-
 private:
   Intersection_kind m_kind;
   std::array<Double_range, d> m_coordinates;
-  std::vector<std::vector<Parameter>> m_parameters;   // per operand
+  std::vector<std::vector<internal::Locus_parameter>> m_parameters;   // per operand
   Solution_d<double> m_solution;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Locus_intersection(Intersection_kind kind, const std::array<Double_range, d>& coordinates, std::vector<std::vector<Parameter>> parameters, Solution_d<double> solution)
+  Locus_intersection(Intersection_kind kind, const std::array<Double_range, d>& coordinates, std::vector<std::vector<internal::Locus_parameter>> parameters, Solution_d<double> solution)
     : m_kind(kind), m_coordinates(coordinates), m_parameters(std::move(parameters)), m_solution(std::move(solution))
   {}
 #endif
@@ -58,7 +77,7 @@ public:
   //! a coordinate of the common point lies in the range; those of all points of an overlap do. Infinite where nothing is known.
   const Double_range& coordinate_range(std::size_t i) const { return m_coordinates[i]; }
 
-  //! the middle of that range.
+  //! the middle of that range; not a number where nothing is known.
   double coordinate(std::size_t i) const { return m_coordinates[i].first / 2 + m_coordinates[i].second / 2; }
 
   //! the range of a parameter of an operand, which are numbered as they were given. \pre The operand has such a parameter: implicit ones have none.

@@ -143,7 +143,7 @@ private:
   Intersection classified(const Solution& solution, const Locus_system<d>& system, const std::vector<Incidence>& incidences) const
   {
     Box box = solution.exact_box();
-    Intersection_kind kind = kind_of(solution);
+    Intersection_kind kind = intersection_kind(solution.kind());
     bool is_at_some_end = false;
     if (is_one_point(solution)) {
       const Box region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
@@ -156,31 +156,18 @@ private:
             kind = Intersection_kind::UNDECIDED;   // too close to tell
         }
     }
-    std::vector<std::vector<typename Intersection::Parameter>> parameters(m_operands.size());
+    std::vector<std::vector<Locus_parameter>> parameters(m_operands.size());
     for_each_parameter(system, [&](std::size_t i, std::size_t axis, std::size_t unknown) {
       const Range& domain = m_operands[i].domains[axis];
-      const Range range{(std::max)(box[unknown].first, domain.first), (std::min)(box[unknown].second, domain.second)};
-      const bool is_end = range.first == range.second && (range.first == domain.first || range.first == domain.second);
+      const Locus_parameter& parameter = parameters[i].emplace_back(box[unknown], domain);
       const bool has_known_ends = !m_operands[i].ends.empty() || system.unknowns().size() == 1;
-      if (is_one_point(solution) && !is_end && !has_known_ends && (has(range, domain.first) || has(range, domain.second)))
+      if (is_one_point(solution) && !parameter.is_at_end && !has_known_ends && (has(parameter.range, domain.first) || has(parameter.range, domain.second)))
         kind = Intersection_kind::UNDECIDED;
-      is_at_some_end = is_at_some_end || is_end;
-      parameters[i].push_back({range, is_end});
+      is_at_some_end = is_at_some_end || parameter.is_at_end;
     });
-    if (is_at_some_end && is_one_point(solution) && kind != Intersection_kind::TANGENT)
+    if (is_at_some_end && is_one_point(solution) && kind == Intersection_kind::TRANSVERSAL)
       kind = Intersection_kind::END_POINT;
     return Intersection(kind, system.coordinates(box), std::move(parameters), solution);
-  }
-
-  static Intersection_kind kind_of(const Solution& solution)
-  {
-    switch (solution.kind()) {
-    case Solution_kind::CERTIFIED: return Intersection_kind::TRANSVERSAL;
-    case Solution_kind::CLUSTER: return Intersection_kind::TANGENT;
-    case Solution_kind::CONTINUUM: return Intersection_kind::OVERLAP;
-    case Solution_kind::UNDECIDED: break;
-    }
-    return Intersection_kind::UNDECIDED;
   }
 
   static bool is_one_point(const Solution& solution) { return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER; }

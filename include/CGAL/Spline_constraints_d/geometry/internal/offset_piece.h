@@ -11,7 +11,6 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -46,7 +45,7 @@ inline std::vector<Unknown> unknowns_in(const Unknown_domains& ranges)
 inline Exact_range positive_bounds(const Expression& formula, const Unknown_domains& box, const std::string& what, int depth = 0)
 {
   constexpr int maximal_depth = 100;
-  if (const std::optional<Exact_range> own = bounds(formula, box); own && own->first > 0)
+  if (const std::optional<Exact_range> own = bounds(formula, box, 0); own && own->first > 0)
     return *own;
   if (depth == maximal_depth || box.empty()) {
     std::string place;
@@ -54,11 +53,8 @@ inline Exact_range positive_bounds(const Expression& formula, const Unknown_doma
       place += (place.empty() ? " near the parameter " : ", ") + std::to_string(to_nearest_double(range.first));
     throw Invalid_input(what + " is zero, or too small to be told from it," + place);
   }
-  const auto widest = std::max_element(box.begin(), box.end(), [](const auto& a, const auto& b) { return a.second - a.first < b.second - b.first; }) - box.begin();
-  Unknown_domains before = box, after = box;
-  before[widest].second = after[widest].first = Exact_rational((box[widest].first + box[widest].second) / 2);
-  const Exact_range a = positive_bounds(formula, before, what, depth + 1), b = positive_bounds(formula, after, what, depth + 1);
-  return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)};
+  const auto [first, second] = halves_of(box);
+  return hull_of(positive_bounds(formula, first, what, depth + 1), positive_bounds(formula, second, what, depth + 1));
 }
 
 // Powers of two around the square roots of the numbers in a range. \pre the range is positive

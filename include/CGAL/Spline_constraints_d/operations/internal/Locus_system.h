@@ -21,6 +21,26 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+template <int d>
+using Coordinate_ranges = std::array<std::pair<double, double>, d>;
+
+// Bounds of the coordinates of a point with unknowns in a box, which may reach over their ranges; rounded outwards, infinite where there are none.
+template <int d>
+Coordinate_ranges<d> coordinate_ranges(const Vector_expression<d>& point, const std::vector<Unknown>& unknowns, Unknown_domains box)
+{
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    const auto& [lower, upper] = unknowns[k].domain();
+    box[k] = {(std::min)((std::max)(box[k].first, lower), upper), (std::max)((std::min)(box[k].second, upper), lower)};
+  }
+  Coordinate_ranges<d> result;
+  for (int i = 0; i < d; ++i) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto range = bounds(point[i], box);
+    result[i] = range ? std::pair(to_double_interval(range->first).first, to_double_interval(range->second).second) : std::pair(-infinity, infinity);
+  }
+  return result;
+}
+
 /*
 The constraints of a common point of pieces. It is written as the formula of one of them, the carrier, and incident with the others; where none has a formula, its coordinates are unknowns. So
 auxiliary unknowns are needed for the carrier only.
@@ -78,21 +98,8 @@ public:
   // The place of the first parameter of a piece among the unknowns.
   std::size_t first_unknown(std::size_t piece) const { return m_first_unknown[piece]; }
 
-  // Bounds of the coordinates of the points with unknowns in a box, rounded outwards.
-  std::array<std::pair<double, double>, d> coordinates(Unknown_domains box) const
-  {
-    for (std::size_t k = 0; k < box.size(); ++k) {
-      const auto& [lower, upper] = m_unknowns[k].domain();   // enclosures may reach over them
-      box[k] = {(std::min)((std::max)(box[k].first, lower), upper), (std::max)((std::min)(box[k].second, upper), lower)};
-    }
-    std::array<std::pair<double, double>, d> result;
-    for (int i = 0; i < d; ++i) {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      const auto range = bounds((*m_point)[i], box);
-      result[i] = range ? std::pair(to_double_interval(range->first).first, to_double_interval(range->second).second) : std::pair(-infinity, infinity);
-    }
-    return result;
-  }
+  // Bounds of the coordinates of the points with unknowns in a box.
+  Coordinate_ranges<d> coordinates(const Unknown_domains& box) const { return coordinate_ranges<d>(*m_point, m_unknowns, box); }
 
 private:
   // The one with fewest auxiliary unknowns; the number of pieces when none has a formula.
