@@ -124,6 +124,13 @@ TEST(Procedural_curves, OffsetsOfCircles)
   EXPECT_EQ(knot[0].kind(), Kind::TRANSVERSAL);
   EXPECT_NEAR(knot[0].parameter(1), 1, 1e-12);
 
+  for (int slope = -5; slope <= 5; ++slope) {   // through the seam (2,0) and another point
+    const auto chord = SC::intersections(outside, SC::segment_curve(K::Point_2(-10, -12 * slope), K::Point_2(10, 8 * slope)));
+    expect_complete(chord, 2);
+    EXPECT_EQ(chord.count(Kind::END_POINT), 1u);
+    EXPECT_EQ(chord.count(Kind::TRANSVERSAL), 1u);
+  }
+
   // Circles of radius 2 around (0,0) and (3,0), as offset of a curve, equation and curve.
   const auto other = SC::circle_curve(K::Point_2(3, 0), K::FT(1));
   const SC::Implicit_curve_2 equation(pow(x - 3, 2) + y * y - 4, wide);
@@ -220,7 +227,7 @@ TEST(Procedural_curves, EvoluteOfEllipse)
   for (const Exact_rational& t : std::vector<Exact_rational>{0, ratio(2, 3), ratio(7, 2)})
     EXPECT_EQ(astroid(*evolute(t)), 0);
   // A circle around the center crosses it in eight points; the line through two cusps meets it in these only.
-  expect_complete(SC::intersections(evolute, SC::circle_curve(K::Point_2(0, 0), K::FT(2))), 8);
+  expect_complete(SC::intersections(evolute, SC::circle_curve(K::Point_2(0, 0), K::FT(ratio(5, 4)))), 8);
   const auto cusps = SC::intersections(evolute, SC::Implicit_curve_2(y, wide));
   expect_complete(cusps, 2);
   EXPECT_EQ(parameters_of(cusps, 0), (std::vector<double>{0, 2}));
@@ -248,6 +255,36 @@ TEST(Procedural_curves, PlantedNormals)
     found += static_cast<int>(answers.size());
   }
   EXPECT_GE(found, 30);
+}
+
+// A line as a curve and as an equation, and all of it turned by the angle of a 3-4-5 triangle: the same answers of both descriptions of offsets and evolutes.
+TEST(Procedural_curves, TwoDescriptions)
+{
+  std::mt19937 random(23);
+  const auto number = [&](int range) { return Exact_rational(static_cast<int>(random() % (2 * range + 1)) - range); };
+  const K::Aff_transformation_2 turn(ratio(3, 5), ratio(-4, 5), ratio(4, 5), ratio(3, 5));
+  std::size_t found = 0;
+  for (int round = 0; round < 15; ++round) {
+    const auto curve = SC::bezier_curve(Points{{0, number(9)}, {4, number(9)}, {12, number(9)}, {20, number(9)}}, round % 3 == 0 ? std::vector<K::FT>{1, 2, 2, 1} : std::vector<K::FT>{});
+    const K::Point_2 p(0, number(8)), q(20, number(8));
+    const auto segment = SC::segment_curve(p - 3 * (q - p), q + 3 * (q - p));
+    const K::Line_2 line(p, q);
+    const SC::Implicit_curve_2 equation(Power_polynomial(line.a()) * x + Power_polynomial(line.b()) * y + Power_polynomial(line.c()), {{{-60, 80}, {-4000, 4000}}});
+    const Exact_rational r = round % 2 == 0 ? ratio(3, 2) : ratio(-5, 7);
+    const SC::Offset_curve_2 offset(curve, r), turned(curve.transformed(turn), r);
+    const auto by_curve = SC::intersections(offset, segment), by_equation = SC::intersections(offset, equation), of_turned = SC::intersections(segment.transformed(turn), turned);
+    EXPECT_TRUE(by_curve.is_complete() && by_equation.is_complete() && of_turned.is_complete()) << round;
+    EXPECT_EQ(parameters_of(by_curve, 0), parameters_of(by_equation, 0)) << round;
+    EXPECT_EQ(parameters_of(by_curve, 0), parameters_of(of_turned, 1)) << round;
+    found += by_curve.size();
+    const SC::Evolute_2 evolute(curve);
+    const auto on_segment = SC::intersections(evolute, segment), on_equation = SC::intersections(evolute, equation);
+    EXPECT_TRUE(on_segment.is_complete() && on_equation.is_complete()) << round;
+    for (const auto& answer : on_segment)   // the segment ends, the box is wider
+      EXPECT_EQ(std::count_if(on_equation.begin(), on_equation.end(), [&](const auto& other) { return std::abs(other.parameter(0) - answer.parameter(0)) < 1e-9; }), 1) << round;
+    found += on_segment.size();
+  }
+  EXPECT_GE(found, 30u);
 }
 
 // Above the paraboloid z = x^2 + y^2, from the feet (3/8, 0) and another one on the same vertical line.

@@ -28,7 +28,7 @@ public:
   //! the dimension of the space minus that of the curve or surface.
   static constexpr int codimension = unspecified;
 
-  //! the range of a parameter over all pieces.
+  //! the range of a parameter over all pieces; needed only where there are parameters.
   std::pair<Exact_rational, Exact_rational> domain(int axis) const;
 
   /*!

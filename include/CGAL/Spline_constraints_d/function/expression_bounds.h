@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -55,20 +56,32 @@ inline Exact_range bounds_of_term(const Spline_term& term, const Unknown_domains
   return *result;
 }
 
-inline Exact_range bounds_of_polynomial(const Symbol_table& symbols, const Power_polynomial& polynomial, const Unknown_domains& box)
+// A polynomial in symbols, expanded, for its bounds on many boxes.
+class Polynomial_bounds
 {
-  const Power_polynomial without_formulas = symbols.without_formulas(polynomial);
-  const Formula_expansion expansion(symbols, without_formulas);
-  const Exact_rational scale = scaled_rational(expansion.denominator(), 0);
-  const Spline_function function = expansion.scaled_function();
-  Exact_range result(0, 0);
-  for (const Spline_term& term : function.terms()) {
-    const auto [lower, upper] = bounds_of_term(term, box);
-    result.first += lower / scale;
-    result.second += upper / scale;
+  Spline_function m_function;   // times the scale
+  Exact_rational m_scale = 1;
+
+public:
+  Polynomial_bounds(const Symbol_table& symbols, const Power_polynomial& polynomial)
+  {
+    const Power_polynomial without_formulas = symbols.without_formulas(polynomial);
+    const Formula_expansion expansion(symbols, without_formulas);
+    m_function = expansion.scaled_function();
+    m_scale = scaled_rational(expansion.denominator(), 0);
   }
-  return result;
-}
+
+  Exact_range operator()(const Unknown_domains& box) const
+  {
+    Exact_range result(0, 0);
+    for (const Spline_term& term : m_function.terms()) {
+      const auto [lower, upper] = bounds_of_term(term, box);
+      result.first += lower / m_scale;
+      result.second += upper / m_scale;
+    }
+    return result;
+  }
+};
 
 // The two halves of a box along its widest axis. \pre there is an axis
 inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domains& box)
@@ -80,6 +93,35 @@ inline std::pair<Unknown_domains, Unknown_domains> halves_of(const Unknown_domai
 }
 
 inline Exact_range hull_of(const Exact_range& a, const Exact_range& b) { return {(std::min)(a.first, b.first), (std::max)(a.second, b.second)}; }
+
+// A formula, for its bounds on many boxes.
+class Expression_bounds
+{
+  Polynomial_bounds m_numerator, m_denominator;
+
+public:
+  explicit Expression_bounds(const Expression& formula)
+    : m_numerator(*formula.symbols(), formula.numerator()), m_denominator(*formula.symbols(), polynomial_of(formula.denominator()))
+  {}
+
+  // Nothing where the bounds of the denominator hold zero, after so many halvings of parts of the box.
+  std::optional<Exact_range> operator()(const Unknown_domains& box, int halvings) const
+  {
+    const Exact_range below = m_denominator(box);
+    if (below.first <= 0 && below.second >= 0) {
+      if (halvings == 0)
+        return std::nullopt;
+      const auto [first, second] = halves_of(box);
+      const auto a = (*this)(first, halvings - 1), b = a ? (*this)(second, halvings - 1) : a;
+      return b ? std::optional(hull_of(*a, *b)) : std::nullopt;
+    }
+    const Exact_range above = m_numerator(box);
+    const std::array<Exact_rational, 4> quotients{Exact_rational(above.first / below.first), Exact_rational(above.first / below.second),
+                                                  Exact_rational(above.second / below.first), Exact_rational(above.second / below.second)};
+    const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());
+    return Exact_range(*least, *greatest);
+  }
+};
 
 } // namespace internal
 
@@ -100,20 +142,7 @@ inline std::optional<std::pair<Exact_rational, Exact_rational>> bounds(const Exp
   if (formula.symbols() == nullptr)
     return internal::Exact_range(formula.numerator().constant_term(), formula.numerator().constant_term());
   internal::check_count(box.size(), formula.symbols()->domains().size(), "bounds: ranges of the box");
-  const auto of = [&](const Power_polynomial& polynomial) { return internal::bounds_of_polynomial(*formula.symbols(), polynomial, box); };
-  const internal::Exact_range below = of(internal::polynomial_of(formula.denominator()));
-  if (below.first <= 0 && below.second >= 0) {
-    if (halvings == 0)
-      return std::nullopt;
-    const auto [first, second] = internal::halves_of(box);
-    const auto a = bounds(formula, first, halvings - 1), b = a ? bounds(formula, second, halvings - 1) : a;
-    return b ? std::optional(internal::hull_of(*a, *b)) : std::nullopt;
-  }
-  const internal::Exact_range above = of(formula.numerator());
-  const std::vector<Exact_rational> quotients{Exact_rational(above.first / below.first), Exact_rational(above.first / below.second), Exact_rational(above.second / below.first),
-                                              Exact_rational(above.second / below.second)};
-  const auto [least, greatest] = std::minmax_element(quotients.begin(), quotients.end());
-  return internal::Exact_range(*least, *greatest);
+  return internal::Expression_bounds(formula)(box, halvings);
 }
 
 } // namespace Spline_constraints

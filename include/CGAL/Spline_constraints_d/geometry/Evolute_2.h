@@ -15,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,7 +58,7 @@ public:
     for (const internal::Differentiated_map& piece : internal::polynomial_pieces(m_curve, 2)) {
       const Unknown_domains range{piece.map().domain(0)};
       const std::vector<Unknown> u = internal::unknowns_in(range);
-      internal::positive_bounds(squared_norm(piece(1, u[0])), range, "Evolute_2: the derivative of the curve");
+      internal::length_range<2>([&](std::span<const Unknown> t) { return piece(1, t[0]); }, range, "Evolute_2: the derivative of the curve");
       if (!is_zero(determinant(piece(1, u[0]), piece(2, u[0]))))
         m_pieces.push_back(piece);
     }

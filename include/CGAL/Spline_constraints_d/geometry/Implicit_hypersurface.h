@@ -14,6 +14,7 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -140,9 +141,6 @@ public:
 
   /// \name Model of Locus
   /// @{
-
-  //! there is none: do not call it.
-  Range domain(int axis) const { return m_box[axis]; }
 
   //! the equation.
   std::vector<Locus_piece<d>> locus_pieces() const

@@ -73,14 +73,15 @@ struct Locus_end
 The language form of the concept documented as \link Locus `Locus`\endlink: a curve or surface described by constraints.
 */
 template <class L>
-concept Locus = std::copyable<L> && requires(const L& locus, int axis) {
+concept Locus = std::copyable<L> && requires(const L& locus) {
   { L::dimension } -> std::convertible_to<int>;
   { L::number_of_parameters } -> std::convertible_to<int>;
   { L::codimension } -> std::convertible_to<int>;
-  { locus.domain(axis) } -> std::convertible_to<std::pair<Exact_rational, Exact_rational>>;
   { locus.locus_pieces() } -> std::same_as<std::vector<Locus_piece<L::dimension>>>;
   { locus.locus_ends() } -> std::same_as<std::vector<Locus_end<L::dimension>>>;
-};
+} && (L::number_of_parameters == 0 || requires(const L& locus, int axis) {
+  { locus.domain(axis) } -> std::convertible_to<std::pair<Exact_rational, Exact_rational>>;
+});
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -67,8 +67,9 @@ private:
   static Operand operand(const L& locus)
   {
     Operand result{locus.locus_pieces(), locus.locus_ends(), {}};
-    for (int axis = 0; axis < L::number_of_parameters; ++axis)
-      result.domains.push_back(locus.domain(axis));
+    if constexpr (L::number_of_parameters > 0)
+      for (int axis = 0; axis < L::number_of_parameters; ++axis)
+        result.domains.push_back(locus.domain(axis));
     return result;
   }
 

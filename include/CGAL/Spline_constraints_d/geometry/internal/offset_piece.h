@@ -42,12 +42,12 @@ inline std::vector<Unknown> unknowns_in(const Unknown_domains& ranges)
 }
 
 // Positive bounds of a formula, from parts of the box that are halved until those of each part are positive. Throws when some part is tiny.
-inline Exact_range positive_bounds(const Expression& formula, const Unknown_domains& box, const std::string& what, int depth = 0)
+inline Exact_range positive_bounds(const Expression_bounds& formula, const Unknown_domains& box, const std::string& what, int depth = 0)
 {
   constexpr int maximal_depth = 100;
-  if (const std::optional<Exact_range> own = bounds(formula, box, 0); own && own->first > 0)
+  if (const std::optional<Exact_range> own = formula(box, 0); own && own->first > 0)
     return *own;
-  if (depth == maximal_depth || box.empty()) {
+  if (depth == maximal_depth) {
     std::string place;
     for (const auto& range : box)
       place += (place.empty() ? " near the parameter " : ", ") + std::to_string(to_nearest_double(range.first));
@@ -75,8 +75,13 @@ inline Exact_range root_range_in_powers_of_two(const Exact_range& squares)
 template <int d>
 Exact_range length_range(const Vector_formula<d>& vector, const Unknown_domains& parameters, const std::string& what)
 {
-  const std::vector<Unknown> u = unknowns_in(parameters);
-  return root_range_in_powers_of_two(positive_bounds(squared_norm(vector(u)), parameters, what));
+  const Expression square = squared_norm(vector(unknowns_in(parameters)));
+  if (!parameters.empty() && square.symbols() != nullptr)
+    return root_range_in_powers_of_two(positive_bounds(Expression_bounds(square), parameters, what));
+  const Exact_rational value = square.numerator().constant_term();
+  if (value == 0)
+    throw Invalid_input(what + " is zero");
+  return root_range_in_powers_of_two({value, value});
 }
 
 /*
