@@ -64,7 +64,7 @@ template <int d>
 struct Locus_end
 {
   Exact_rational parameter;   ///< one of the ends of the domain
-  Locus_piece<d> piece;       ///< has no parameters
+  Locus_piece<d> piece;       ///< has no parameters, and as many auxiliary unknowns as the other pieces
 };
 
 /*!

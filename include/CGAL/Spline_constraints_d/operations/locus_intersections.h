@@ -41,11 +41,13 @@ class Locus_intersector
     std::vector<Range> domains;   // of the parameters
   };
 
-  // A common point at an end of an operand: the unknown with this one as its value, and ranges of all of them that hold no other such point.
+  // A common point at an end of an operand, or perhaps none: the unknown with this one as its value, and ranges of all of them.
   struct Incidence
   {
     std::size_t unknown;
     Box box;
+    bool is_certain;
+    bool is_excluded;   // the end is left to the begin of a closed curve
   };
 
   std::vector<Operand> m_operands;
@@ -95,7 +97,8 @@ private:
     if (system.unknowns().size() > 1 && std::any_of(solutions.begin(), solutions.end(), [&](const Solution& s) { return is_near_end(s.exact_box(), system); }))
       incidences = incidences_of(pieces, system);
     for (const Solution& solution : solutions)
-      m_result.push_back(classified(solution, system, incidences));
+      if (auto intersection = classified(solution, system, incidences))
+        m_result.push_back(std::move(*intersection));
   }
 
   // Calls visit(operand, axis, unknown) for all parameters.
@@ -129,45 +132,49 @@ private:
           continue;
         Pieces others = pieces;
         others[i] = end.piece;
-        const Locus_system<d> face(others);
-        if (face.unknowns().empty())
-          continue;
-        for (const Solution& solution : m_solve(face.constraints())) {
+        const bool is_excluded = pieces[i].is_without_end[0] && end.parameter == pieces[i].parameters[0].second;
+        for (const Solution& solution : m_solve(Locus_system<d>(others).constraints())) {
           Box box = solution.exact_box();
           box.insert(box.begin() + system.first_unknown(i), {end.parameter, end.parameter});
-          result.push_back({system.first_unknown(i), std::move(box)});
+          result.push_back({system.first_unknown(i), std::move(box), is_one_point(solution), is_excluded});
         }
       }
     return result;
   }
 
-  Intersection classified(const Solution& solution, const Locus_system<d>& system, const std::vector<Incidence>& incidences) const
+  // The intersection that a solution stands for; none when it is at the end of a closed curve, which is its begin. A regular solution on the boundary of the domain, or of an inequality, is
+  // undecided until it is known to be an end.
+  std::optional<Intersection> classified(const Solution& solution, const Locus_system<d>& system, const std::vector<Incidence>& incidences) const
   {
     Box box = solution.exact_box();
     Intersection_kind kind = intersection_kind(solution.kind());
-    bool is_at_some_end = false;
-    if (is_one_point(solution)) {
+    const bool is_at_boundary = solution.reason() == Undecided_reason::DOMAIN_BOUNDARY, is_point = is_one_point(solution) || is_at_boundary;
+    if (is_point || solution.reason() == Undecided_reason::INEQUALITY) {
       const Box region = solution.uniqueness_region().empty() ? box : solution.exact_uniqueness_region();
-      for (const Incidence& incidence : incidences)
-        if (meets(box, incidence.box)) {
-          if (holds(region, incidence.box)) {
-            box[incidence.unknown] = incidence.box[incidence.unknown];
-            is_at_some_end = true;
-          } else
-            kind = Intersection_kind::UNDECIDED;   // too close to tell
+      for (const Incidence& incidence : incidences) {
+        if (!meets(box, incidence.box))
+          continue;
+        if (!incidence.is_certain || !holds(region, incidence.box)) {
+          kind = Intersection_kind::UNDECIDED;   // too close to tell
+          break;
         }
+        if (incidence.is_excluded)
+          return std::nullopt;
+        box[incidence.unknown] = incidence.box[incidence.unknown];
+        if (is_at_boundary)
+          kind = Intersection_kind::END_POINT;
+      }
     }
     std::vector<std::vector<Locus_parameter>> parameters(m_operands.size());
     for_each_parameter(system, [&](std::size_t i, std::size_t axis, std::size_t unknown) {
       const Range& domain = m_operands[i].domains[axis];
       const Locus_parameter& parameter = parameters[i].emplace_back(box[unknown], domain);
       const bool has_known_ends = !m_operands[i].ends.empty() || system.unknowns().size() == 1;
-      if (is_one_point(solution) && !parameter.is_at_end && !has_known_ends && (has(parameter.range, domain.first) || has(parameter.range, domain.second)))
+      if (is_point && !parameter.is_at_end && !has_known_ends && (has(parameter.range, domain.first) || has(parameter.range, domain.second)))
         kind = Intersection_kind::UNDECIDED;
-      is_at_some_end = is_at_some_end || parameter.is_at_end;
+      if (is_point && parameter.is_at_end && kind == Intersection_kind::TRANSVERSAL)
+        kind = Intersection_kind::END_POINT;
     });
-    if (is_at_some_end && is_one_point(solution) && kind == Intersection_kind::TRANSVERSAL)
-      kind = Intersection_kind::END_POINT;
     return Intersection(kind, system.coordinates(box), std::move(parameters), solution);
   }
 
