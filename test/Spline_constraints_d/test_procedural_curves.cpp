@@ -108,6 +108,33 @@ TEST(Procedural_curves, OffsetOfParabola)
   EXPECT_EQ(vertex[0].parameter_range(0), Range(0, 0));
 }
 
+// The parabola above in two pieces of different speed, an ellipse with its seam on the axis, and a closed spline: breaks of the curve are no self-intersections.
+TEST(Procedural_curves, SelfIntersectionsAcrossBreaks)
+{
+  const SC::Bspline_curve_2<K> two(2, {0, 0, 0, 1, 1, 3, 3, 3}, {{-2, 4}, {-1, 0}, {0, 0}, {1, 0}, {2, 4}});
+  const auto at_vertex = SC::self_intersections(SC::Offset_curve_2(two, 1));
+  expect_complete(at_vertex, 1);
+  EXPECT_NEAR(at_vertex[0].parameter(0), 1 - std::sqrt(3.0) / 4, 1e-12);
+  EXPECT_NEAR(at_vertex[0].parameter(1), 1 + std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(at_vertex[0].coordinate(1), 1.25, 1e-12);
+
+  // The normal from (x,y) on the ellipse meets the axis at 3x/4, at the distance 3/4 if x^2/16 + y^2 = 9/16: so x^2 = 7/3.
+  const auto ellipse = SC::ellipse_curve(K::Point_2(0, 0), K::Vector_2(2, 0), K::Vector_2(0, 1));
+  const auto at_seam = SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(3, 4)));
+  expect_complete(at_seam, 2);
+  for (const auto& answer : at_seam) {
+    EXPECT_NEAR(answer.coordinate(1), 0, 1e-12);
+    EXPECT_NEAR(std::abs(answer.coordinate(0)), std::sqrt(21.0) / 4, 1e-12);
+  }
+  expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, ratio(1, 3))), 0);
+  expect_complete(SC::self_intersections(SC::Offset_curve_2(ellipse, -1)), 0);
+
+  const auto corner = SC::self_intersections(SC::Offset_curve_2(SC::polyline_curve(Points{{0, 0}, {2, 0}, {2, 2}}), ratio(1, 2)));
+  expect_complete(corner, 1);
+  EXPECT_EQ(parameters_of(corner, 0), (std::vector<double>{0.75}));
+  EXPECT_EQ(parameters_of(corner, 1), (std::vector<double>{1.25}));
+}
+
 TEST(Procedural_curves, OffsetsOfCircles)
 {
   const auto circle = SC::circle_curve(K::Point_2(0, 0), K::FT(1));

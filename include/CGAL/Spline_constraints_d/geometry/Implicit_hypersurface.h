@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
+#include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -102,7 +103,7 @@ public:
   Exact_rational operator()(std::span<const Exact_rational> point) const { return m_polynomial(point); }
 
   //! \f$f\f$ as a formula, for a point whose coordinates are formulas; the denominators that rational curves and surfaces have are cleared when it is compared with 0.
-  Expression operator()(const Vector_expression<d>& point) const { return substituted(m_polynomial, point); }
+  Expression operator()(const Vector_expression<d>& point) const { return internal::substituted(m_polynomial, point); }
 
   //! the exact gradient of \f$f\f$ at a point.
   std::array<Exact_rational, d> gradient(std::span<const Exact_rational> point) const
@@ -116,7 +117,7 @@ public:
   //! the gradient of \f$f\f$ as a formula.
   Vector_expression<d> gradient(const Vector_expression<d>& point) const
   {
-    return internal::vector_of<d>([&](std::size_t i) { return substituted(m_gradient[i], point); });
+    return internal::vector_of<d>([&](std::size_t i) { return internal::substituted(m_gradient[i], point); });
   }
 
   //! the sign of \f$f\f$ at a point, in the box or not. \throws Invalid_input when a coordinate is not finite.
@@ -174,18 +175,6 @@ private:
     if (!equation.conditions.empty() || (equation.symbols != nullptr && !equation.symbols->has_only_unknowns(equation.function)))
       throw Invalid_input("Implicit_hypersurface: the equation is not one of polynomials");
     return equation.function;
-  }
-
-  static Expression substituted(const Power_polynomial& polynomial, const Vector_expression<d>& point)
-  {
-    Expression result = 0;
-    for (const auto& [monomial, coefficient] : polynomial.terms()) {
-      Expression term = coefficient;
-      for (const auto& [coordinate, exponent] : monomial.powers)
-        term *= pow(point[coordinate], exponent);
-      result += term;
-    }
-    return result;
   }
 
   template <class Point>
