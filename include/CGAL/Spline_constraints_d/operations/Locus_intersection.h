@@ -90,8 +90,14 @@ public:
     return to_nearest_double(Exact_rational((range.first + range.second) / 2));
   }
 
-  //! whether the common point is at an end of the domain of a parameter, decided exactly; the seam of a closed curve is one. False for operands without parameters.
-  bool is_at_end(std::size_t operand, std::size_t axis = 0) const { return !m_parameters[operand].empty() && m_parameters[operand][axis].is_at_end; }
+  //! whether the common point is at an end of the domain of a parameter, decided exactly; the seam of a closed curve is one. \pre The operand has such a parameter.
+  bool is_at_end(std::size_t operand, std::size_t axis) const { return m_parameters[operand][axis].is_at_end; }
+
+  //! whether it is at an end of any parameter of an operand.
+  bool is_at_end(std::size_t operand) const
+  {
+    return std::any_of(m_parameters[operand].begin(), m_parameters[operand].end(), [](const auto& parameter) { return parameter.is_at_end; });
+  }
 
   //! how often the common point counts; 1 when the operands cross, 0 when not known.
   int multiplicity() const { return m_solution.multiplicity(); }

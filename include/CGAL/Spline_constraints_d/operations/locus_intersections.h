@@ -192,14 +192,14 @@ private:
 };
 
 template <class T>
-concept Intersection_operand = Locus<T> || ParametricMap<T>;
+concept Locus_operand = Locus<T> || ParametricMap<T>;
 
 template <class T>
 using Locus_of = decltype(to_locus(std::declval<const T&>()));
 
 // Of the same space, not all of them parametric, with common points that are isolated as a rule.
 template <class First, class... Others>
-concept Locus_operands = Intersection_operand<First> && (Intersection_operand<Others> && ...) && (Locus<First> || ... || Locus<Others>) &&
+concept Locus_operands = Locus_operand<First> && (Locus_operand<Others> && ...) && (Locus<First> || ... || Locus<Others>) &&
                          ((Locus_of<First>::dimension == Locus_of<Others>::dimension) && ...) &&
                          (Locus_of<First>::codimension + ... + Locus_of<Others>::codimension) >= Locus_of<First>::dimension;
 
