@@ -7,8 +7,8 @@
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curve_pieces.h>
 
 #include <algorithm>
 #include <array>

@@ -6,9 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Circle_emptiness.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curve_pieces.h>
 
 #include <algorithm>
 #include <array>

@@ -5,9 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CIRCLE_EMPTINESS_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_interval.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curve_pieces.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>

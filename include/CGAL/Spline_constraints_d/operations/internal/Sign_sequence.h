@@ -4,8 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SIGN_SEQUENCE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SIGN_SEQUENCE_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curve_pieces.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PIECES_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PIECES_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CURVE_PIECES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CURVE_PIECES_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 
@@ -96,4 +96,4 @@ inline std::vector<Smooth_part> smooth_parts(const Planar_map& curve) { return s
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PIECES_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CURVE_PIECES_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The offset of a curve, with its cusps and where it meets itself and an implicit curve, drawn into offset_intersections.svg.
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/Implicit_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/locus_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/offset_features_2.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;
+
+// Rounded to 1/1024: short enough for a drawing.
+K::Point_2 rounded(double x, double y) { return {std::round(1024 * x) / 1024, std::round(1024 * y) / 1024}; }
+
+void draw(SC::SVG_writer& svg, const std::string& what, const SC::Locus_intersections<2>& answers, const std::string& color)
+{
+  for (const auto& answer : answers) {
+    std::cout << what << ": " << answer.kind() << " at parameter " << answer.parameter(0) << ", (" << answer.coordinate(0) << ", " << answer.coordinate(1) << ")\n";
+    svg.point(rounded(answer.coordinate(0), answer.coordinate(1)), color, 10);
+  }
+}
+
+int main()
+{
+  const auto curve = SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-2, -5}, {0, 6}, {2, -5}, {3, 3}});
+  const SC::Offset_curve_2 offset(curve, K::FT(7) / 4);   // to the left
+  auto [x, y] = SC::unknowns({-4, 4}, {-1, 4});
+  const auto squared_height = square(y - 1.5);
+  const SC::Implicit_curve_2 lemniscate(square(x*x + squared_height) == 6 * (x*x - squared_height));
+
+  const auto cusps = SC::cusps(offset);
+  const auto nodes = SC::self_intersections(offset);
+  const auto crossings = SC::intersections(offset, lemniscate);
+
+  std::ofstream out("offset_intersections.svg");
+  SC::SVG_writer svg(out, CGAL::Bbox_2(-4, -0.5, 4, 3.5));
+  const K::Point_2 center(0, 1.5);
+  for (const int side : {-1, 1}) {   // a loop of the lemniscate, by its points on rays from its center
+    std::vector<K::Point_2> loop;
+    for (int i = -60; i <= 60; ++i) {
+      const auto on_ray = SC::intersections(SC::segment_curve(center, center + K::Vector_2(4 * side, K::FT(4 * i) / 60)), lemniscate);
+      const auto outermost = std::max_element(on_ray.begin(), on_ray.end(), [](const auto& a, const auto& b) { return a.parameter(0) < b.parameter(0); });
+      loop.push_back(rounded(outermost->coordinate(0), outermost->coordinate(1)));
+    }
+    svg.curve(SC::polyline_curve(loop), "#2ca02c", 2);
+  }
+  std::vector<K::Point_2> points;
+  for (int i = 0; i <= 300; ++i) {
+    const auto p = offset(K::FT(i) / 300);
+    points.push_back(rounded(p[0], p[1]));
+  }
+  svg.curve(curve, "black", 2.5);
+  svg.curve(SC::polyline_curve(points), "#1f77b4", 1.5);
+  svg.label(K::Point_2(K::FT(-39) / 10, 3), "curve");
+  svg.label(K::Point_2(K::FT(-6) / 5, 3), "offset", "#1f77b4");
+  svg.label(K::Point_2(K::FT(-39) / 10, K::FT(3) / 2), "lemniscate", "#2ca02c");
+  draw(svg, "cusp", cusps, "#ff7f0e");
+  draw(svg, "self-intersection", nodes, "#9467bd");
+  draw(svg, "on the lemniscate", crossings, "#d62728");
+  std::cout << "offset: " << cusps.summary() << "\nitself: " << nodes.summary() << "\nlemniscate: " << crossings.summary() << '\n';
+  return cusps.is_complete() && nodes.is_complete() && crossings.is_complete() && !nodes.empty() && !crossings.empty() ? 0 : 1;
+}
