@@ -5,13 +5,14 @@
 // intersect_drawing.svg.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <ranges>
 #include <string>
 
 namespace SC = CGAL::Spline_constraints;
@@ -32,17 +33,14 @@ int main()
       picture.curve(element.curve, "#1f77b4", 2);
 
     std::map<Kind, int> count;
-    bool is_complete = true;
-    for (std::size_t i = 0; i < drawing.size(); ++i)
-      for (std::size_t j = i + 1; j < drawing.size(); ++j) {
-        const auto intersections = SC::intersections(drawing[i].curve, drawing[j].curve);
-        is_complete = is_complete && intersections.is_complete();
-        for (const auto& x : intersections) {
-          ++count[x.kind()];
-          picture.point(x.point(), x.kind() == Kind::TRANSVERSAL ? "#2ca02c" : "#d62728", 9);
-          std::cout << drawing[i].id << " and " << drawing[j].id << ": " << x.kind() << " near (" << CGAL::to_double(x.point().x()) << ", " << CGAL::to_double(x.point().y()) << ")\n";
-        }
+    const auto result = SC::pairwise_intersections(std::views::transform(drawing, [](const auto& element) { return element.curve; }));
+    for (const auto& [i, j, intersections] : result.pairs)
+      for (const auto& x : intersections) {
+        ++count[x.kind()];
+        picture.point(x.point(), x.kind() == Kind::TRANSVERSAL ? "#2ca02c" : "#d62728", 9);
+        std::cout << drawing[i].id << " and " << drawing[j].id << ": " << x.kind() << " near (" << CGAL::to_double(x.point().x()) << ", " << CGAL::to_double(x.point().y()) << ")\n";
       }
+    const bool is_complete = result.summary.is_complete;
     const std::string summary = std::to_string(count[Kind::TRANSVERSAL]) + " crossings (green), " + std::to_string(count[Kind::TANGENT]) + " contact (red); complete: " + (is_complete ? "yes" : "no");
     picture.label(K::Point_2(5, -78), summary);
     std::cout << summary << '\n';

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCUS_INTERSECTION_H
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-#include <CGAL/Spline_constraints_d/operations/curve_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 
 #include <algorithm>

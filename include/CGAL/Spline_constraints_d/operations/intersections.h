@@ -14,6 +14,19 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+
+template <SplineKernel Kernel, int d>
+Intersections<Kernel, d> intersections_of(const Patch_pair<d>& pair, const Solver_options& options)
+{
+  Summing_solver solve(options);
+  std::vector<Intersection<Kernel, d>> result;
+  for (Common_point& point : Intersection_finder<d>(pair, solve)())
+    result.emplace_back(std::move(point), pair);
+  return Intersections<Kernel, d>(std::move(result), solve.total());
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
@@ -51,12 +64,9 @@ auto intersections(const A& a, const B& b, const Solver_options& options = {})
   using Operand = internal::Intersection_operand<A>;
   constexpr int d = Operand::dimension;
   using Kernel = typename Operand::Kernel;
-  internal::Summing_solver solve(options);
-  std::vector<Intersection<Kernel, d>> result;
-  if (const auto pair = internal::patch_pair(a, b))
-    for (internal::Common_point& point : internal::Intersection_finder<d>(*pair, solve)())
-      result.emplace_back(std::move(point), *pair);
-  return Intersections<Kernel, d>(std::move(result), solve.total());
+  options.check();
+  const auto pair = internal::patch_pair(a, b);
+  return pair ? internal::intersections_of<Kernel, d>(*pair, options) : Intersections<Kernel, d>({}, Summary());
 }
 
 } // namespace Spline_constraints

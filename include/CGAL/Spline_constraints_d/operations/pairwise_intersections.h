@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_PAIRWISE_INTERSECTIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_PAIRWISE_INTERSECTIONS_H
+
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/intersections.h>
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+Two curves of a collection that meet, or may meet.
+*/
+template <SplineKernel Kernel, int d>
+struct Intersecting_pair
+{
+  //! the positions of the two curves in the collection; with two collections, each in its own.
+  std::size_t first, second;
+  //! where they meet; never empty.
+  Intersections<Kernel, d> intersections;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+All intersections between the curves of one collection, or of two.
+*/
+template <SplineKernel Kernel, int d>
+struct Pairwise_intersections
+{
+  //! the pairs of curves that meet, or are not proved not to, in lexicographic order.
+  std::vector<Intersecting_pair<Kernel, d>> pairs;
+
+  //! whether no intersection is missing, by proof, and none is undecided; and the work of the solver.
+  Summary summary;
+};
+
+namespace internal {
+
+template <class Curve>
+concept Parametric_curve = ParametricCurve_2<Curve> || ParametricCurve_3<Curve>;
+
+template <class Range>
+concept Range_of_curves = std::ranges::input_range<Range> && Parametric_curve<std::ranges::range_value_t<Range>>;
+
+// Which curves of one collection, or of two, may meet each other, and where they do.
+template <class Curve>
+class Pairwise_intersector
+{
+  using Kernel = typename Curve::Kernel;
+  static constexpr int d = ParametricCurve_2<Curve> ? 2 : 3;
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, d, std::size_t>;
+  using Pair = std::pair<std::size_t, std::size_t>;
+
+  struct Collection
+  {
+    std::vector<Spline_patch<d>> patches;
+    std::vector<Box> boxes;
+  };
+
+  Solver_options m_options;
+
+public:
+  explicit Pairwise_intersector(const Solver_options& options) : m_options(options) { m_options.check(); }
+
+  template <class Concurrency_tag, class Range>
+  Pairwise_intersections<Kernel, d> within(Range&& range) const
+  {
+    Collection curves = collected(range);
+    std::vector<Pair> pairs;
+    CGAL::box_self_intersection_d(curves.boxes.begin(), curves.boxes.end(), [&](const Box& a, const Box& b) { pairs.push_back(std::minmax(a.info(), b.info())); });
+    return intersected<Concurrency_tag>(std::move(pairs), curves, curves);
+  }
+
+  template <class Concurrency_tag, class Range, class Other_range>
+  Pairwise_intersections<Kernel, d> between(Range&& range, Other_range&& others) const
+  {
+    Collection first = collected(range), second = collected(others);
+    std::vector<Pair> pairs;
+    CGAL::box_intersection_d(first.boxes.begin(), first.boxes.end(), second.boxes.begin(), second.boxes.end(),
+                             [&](const Box& a, const Box& b) { pairs.emplace_back(a.info(), b.info()); });
+    return intersected<Concurrency_tag>(std::move(pairs), first, second);
+  }
+
+private:
+  template <class Range>
+  static Collection collected(Range&& range)
+  {
+    Collection result;
+    for (const Curve& curve : range) {
+      result.patches.emplace_back(curve);
+      result.boxes.push_back(box_of(result.patches.back(), result.boxes.size()));
+    }
+    return result;
+  }
+
+  // Closed boxes that hold the curve, so that curves that only touch are a pair.
+  static Box box_of(const Spline_patch<d>& curve, std::size_t index)
+  {
+    const Vector_bounds<d> bounds = curve.values();
+    double lower[d], upper[d];
+    for (int i = 0; i < d; ++i) {
+      lower[i] = to_double_interval(bounds[i].lower).first;
+      upper[i] = to_double_interval(bounds[i].upper).second;
+    }
+    return Box(lower, upper, index);
+  }
+
+  template <class Concurrency_tag>
+  Pairwise_intersections<Kernel, d> intersected(std::vector<Pair> pairs, const Collection& first, const Collection& second) const
+  {
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<std::optional<Intersections<Kernel, d>>> answers(pairs.size());
+    parallel_for<Concurrency_tag>(pairs.size(), [&](std::size_t i, std::size_t) {
+      answers[i] = intersections_of<Kernel, d>(Patch_pair<d>(first.patches[pairs[i].first], second.patches[pairs[i].second]), m_options);
+    });
+    Pairwise_intersections<Kernel, d> result;
+    result.summary.is_complete = true;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      result.summary += answers[i]->summary();
+      if (!answers[i]->empty())
+        result.pairs.push_back({pairs[i].first, pairs[i].second, std::move(*answers[i])});
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all intersections between each two curves of a collection, such as the paths of a drawing. Intersections of a curve with itself are not looked for.
+
+Only pairs whose bounding boxes meet are solved (`CGAL::box_self_intersection_d()`), and in a pair of splines only pieces whose bounds meet. The answers are those of `intersections()` for each pair.
+
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand pairs to all cores through TBB. The answers are the same.
+\tparam Range a range of curves that are models of `ParametricCurve_2`, or of `ParametricCurve_3`.
+\param curves the curves.
+\param options those of the solver; limits hold for each pair alone.
+\throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
+
+Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of boxes that meet, and the systems of these pairs.
+*/
+template <class Concurrency_tag = CGAL::Sequential_tag, internal::Range_of_curves Range>
+auto pairwise_intersections(const Range& curves, const Solver_options& options = {})
+{
+  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template within<Concurrency_tag>(curves);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all intersections between the curves of one collection and those of another one, as `pairwise_intersections()` of one collection.
+
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`.
+\tparam Range,Other_range ranges of curves of the same type, models of `ParametricCurve_2` or of `ParametricCurve_3`.
+\param curves the first collection.
+\param others the second collection.
+\param options those of the solver; limits hold for each pair alone.
+\throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
+*/
+template <class Concurrency_tag = CGAL::Sequential_tag, internal::Range_of_curves Range, internal::Range_of_curves Other_range>
+  requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
+auto pairwise_intersections(const Range& curves, const Other_range& others, const Solver_options& options = {})
+{
+  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template between<Concurrency_tag>(curves, others);
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_PAIRWISE_INTERSECTIONS_H
