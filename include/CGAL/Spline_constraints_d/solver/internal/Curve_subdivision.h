@@ -155,13 +155,15 @@ private:
   bool has_singular_point(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices, int depth)
   {
     constexpr double small = 0x1p-10;   // relative to the domain: these pieces are drawn as chords
-    constexpr std::size_t few_attempts = 32;
+    constexpr std::size_t few_attempts = 1000;   // and as many more after each success
     const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
     if (depth % m_layout.dimension != 0 || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
       if (node.upper[j] - node.lower[j] > small * m_domain_widths[j])
         return false;
+    if (m_layout.equalities == 1 && !may_gradient_vanish())
+      return false;
     ++m_attempts;
     const std::optional<Proved_singularity> point = Singular_point_test(m_system, box)();
     if (!point || point->branches != vertices.size())
@@ -170,6 +172,14 @@ private:
     const std::size_t centre = m_vertices.add_singular_point(point->box);
     for (const std::size_t i : vertices)
       m_pieces.push_back({box, -1, {centre, i}});
+    return true;
+  }
+
+  bool may_gradient_vanish()
+  {
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (m_analysis.view.derivative_lower(0)[j] > 0 || m_analysis.view.derivative_upper(0)[j] < 0)
+        return false;
     return true;
   }
 

@@ -53,7 +53,8 @@ class Singular_point_test
 
   const Exact_ranges& m_box;
   Constraint_system_d m_system;
-  std::vector<Power_polynomial> m_equations;
+  std::vector<Power_polynomial> m_equations, m_centred;   // the latter in the differences from the middle of the box, so that intervals do not cancel
+  std::vector<Exact_rational> m_middle;
   std::size_t m_dimension;
 
   static constexpr double largest_error = 0.3;
@@ -64,6 +65,13 @@ public:
   {
     for (const Spline_function& function : m_system.equalities())
       m_equations.push_back(*restricted(function, Partial_point(m_dimension)));
+    for (const auto& [lower, upper] : m_box)
+      m_middle.push_back(Exact_rational((lower + upper) / 2));
+    for (Power_polynomial polynomial : m_equations) {
+      for (std::size_t j = 0; j < m_dimension; ++j)
+        polynomial = polynomial.substituted(static_cast<int>(j), Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(m_middle[j]));
+      m_centred.push_back(std::move(polynomial));
+    }
   }
 
   std::optional<Proved_singularity> operator()() const
@@ -125,9 +133,9 @@ private:
   Polynomial_jets jets(const Exact_ranges& box, int order) const
   {
     std::vector<Mpfr_interval> numbers;
-    for (const auto& [lower, upper] : box)
-      numbers.emplace_back(lower, upper);
-    return Polynomial_jets(m_equations, numbers, order);
+    for (std::size_t j = 0; j < m_dimension; ++j)
+      numbers.emplace_back(Exact_rational(box[j].first - m_middle[j]), Exact_rational(box[j].second - m_middle[j]));
+    return Polynomial_jets(m_centred, numbers, order);
   }
 
   static Interval rounded(const Mpfr_interval& x)
