@@ -124,36 +124,38 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of the second: on a ray, from its source on.
+The answers of an operation that finds common points, and whether they are all.
+
+\tparam Answer `Intersection` or `Locus_intersection`.
 */
-template <SplineKernel Kernel, int d>
-class Intersections
+template <class Answer>
+class Intersection_set
 {
-  std::vector<Intersection<Kernel, d>> m_intersections;
+  std::vector<Answer> m_answers;
   Summary m_summary;
 
 public:
-  using const_iterator = typename std::vector<Intersection<Kernel, d>>::const_iterator;
+  using const_iterator = typename std::vector<Answer>::const_iterator;
 
 #ifndef DOXYGEN_RUNNING
-  Intersections(std::vector<Intersection<Kernel, d>> intersections, const Summary& summary) : m_intersections(std::move(intersections)), m_summary(summary)
+  Intersection_set(std::vector<Answer> answers, const Summary& summary) : m_answers(std::move(answers)), m_summary(summary)
   {
     m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
   }
 #endif
 
-  //! @{ the intersections.
-  const_iterator begin() const { return m_intersections.begin(); }
-  const_iterator end() const { return m_intersections.end(); }
-  std::size_t size() const { return m_intersections.size(); }
-  bool empty() const { return m_intersections.empty(); }
-  const Intersection<Kernel, d>& operator[](std::size_t i) const { return m_intersections[i]; }
+  //! @{ the answers.
+  const_iterator begin() const { return m_answers.begin(); }
+  const_iterator end() const { return m_answers.end(); }
+  std::size_t size() const { return m_answers.size(); }
+  bool empty() const { return m_answers.empty(); }
+  const Answer& operator[](std::size_t i) const { return m_answers[i]; }
   //! @}
 
-  //! number of intersections of a kind.
+  //! number of answers of a kind.
   std::size_t count(Intersection_kind kind) const
   {
-    return std::count_if(begin(), end(), [=](const auto& intersection) { return intersection.kind() == kind; });
+    return static_cast<std::size_t>(std::count_if(begin(), end(), [=](const Answer& answer) { return answer.kind() == kind; }));
   }
 
   //! whether there are no others, by proof, and none is undecided.
@@ -162,6 +164,14 @@ public:
   //! the work of the solver.
   const Summary& summary() const { return m_summary; }
 };
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of the second: on a ray, from its source on.
+*/
+template <SplineKernel Kernel, int d>
+using Intersections = Intersection_set<Intersection<Kernel, d>>;
 
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -112,40 +112,18 @@ public:
 The intersections of curves and surfaces in `d`-space, those of one kind after another.
 */
 template <int d>
-class Locus_intersections
+using Locus_intersections = Intersection_set<Locus_intersection<d>>;
+
+namespace internal {
+
+template <int d>
+Locus_intersections<d> ordered_by_kind(std::vector<Locus_intersection<d>> intersections, const Summary& summary)
 {
-  std::vector<Locus_intersection<d>> m_intersections;
-  Summary m_summary;
+  std::stable_sort(intersections.begin(), intersections.end(), [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
+  return Locus_intersections<d>(std::move(intersections), summary);
+}
 
-public:
-  using const_iterator = typename std::vector<Locus_intersection<d>>::const_iterator;
-
-#ifndef DOXYGEN_RUNNING
-  Locus_intersections(std::vector<Locus_intersection<d>> intersections, const Summary& summary) : m_intersections(std::move(intersections)), m_summary(summary)
-  {
-    std::stable_sort(m_intersections.begin(), m_intersections.end(), [](const auto& a, const auto& b) { return a.kind() < b.kind(); });
-    m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
-  }
-#endif
-
-  const_iterator begin() const { return m_intersections.begin(); }
-  const_iterator end() const { return m_intersections.end(); }
-  std::size_t size() const { return m_intersections.size(); }
-  bool empty() const { return m_intersections.empty(); }
-  const Locus_intersection<d>& operator[](std::size_t i) const { return m_intersections[i]; }
-
-  //! number of intersections of a kind.
-  std::size_t count(Intersection_kind kind) const
-  {
-    return std::count_if(begin(), end(), [=](const auto& intersection) { return intersection.kind() == kind; });
-  }
-
-  //! whether there are no others, by proof, and none is undecided.
-  bool is_complete() const { return m_summary.is_complete; }
-
-  //! the work of the solver.
-  const Summary& summary() const { return m_summary; }
-};
+} // namespace internal
 
 } // namespace Spline_constraints
 } // namespace CGAL

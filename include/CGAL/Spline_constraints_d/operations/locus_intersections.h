@@ -61,7 +61,7 @@ public:
   Locus_intersections<d> operator()()
   {
     for_each_choice({}, [&](const Pieces& pieces) { intersect(pieces); });
-    return Locus_intersections<d>(std::move(m_result), m_solve.total());
+    return ordered_by_kind(std::move(m_result), m_solve.total());
   }
 
 private:

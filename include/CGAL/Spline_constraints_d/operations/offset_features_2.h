@@ -58,7 +58,7 @@ inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_o
       result.push_back({internal::intersection_kind(solution.kind()), internal::coordinate_ranges<2>(center, {u}, box), {{{box[0], offset.domain()}}}, solution});
     }
   }
-  return Locus_intersections<2>(std::move(result), solve.total());
+  return internal::ordered_by_kind(std::move(result), solve.total());
 }
 
 /*!
@@ -88,7 +88,7 @@ inline Locus_intersections<2> self_intersections(const Offset_curve_2& offset, c
     for (std::size_t j = i; j < pieces.size(); ++j)
       for (Locus_intersection<2>& answer : internal::Offset_self_intersection(offset.distance(), pieces[i], pieces[j], offset.domain()).solutions(solve))
         result.push_back(std::move(answer));
-  return Locus_intersections<2>(std::move(result), solve.total());
+  return internal::ordered_by_kind(std::move(result), solve.total());
 }
 
 /*!
