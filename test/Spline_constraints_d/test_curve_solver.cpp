@@ -323,6 +323,19 @@ TEST(Curve_solver, breaks_through_any_points_of_a_curve)
   EXPECT_TRUE(is_vertex(0, 1));
 }
 
+TEST(Curve_solver, what_is_not_proved_on_a_face_is_not_forgotten)
+{
+  // The lower side is a line of solutions, from corner to corner: nothing that is said of the corners may stand for all of it.
+  auto [x, y] = unknowns({0, 1}, {0, 1});
+  const auto set = SC::solve_curves(y * (square(x - Rational(1, 2)) + square(y) + 1) == 0);
+  check_chains(set);
+  std::size_t pieces_on_side = 0;
+  for (const SC::Solution_curve& curve : set.curves())
+    pieces_on_side += curve.pieces.size();
+  EXPECT_TRUE(!set.is_complete() || pieces_on_side > 0);
+  EXPECT_TRUE(!set.curves().empty() || !set.undecided().empty());
+}
+
 TEST(Curve_solver, bad_input)
 {
   auto [x, y] = unknowns({-1, 1}, {-1, 1});

@@ -26,6 +26,12 @@ struct Plane_point
   Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
   std::vector<bool> is_fixed;   // per unknown
 
+  // Proved to be one point, whatever the box: two roots that were not told apart are not.
+  bool is_one_point() const
+  {
+    return kind == REGULAR || (kind == SINGULAR && std::all_of(box.begin(), box.end(), [](const auto& range) { return range.first == range.second; }));
+  }
+
   std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
 };
 
@@ -80,12 +86,11 @@ public:
     std::vector<std::size_t> result;
     const Constraint_system_d plane = internal::on_plane(system, box, axis, value);
     for (const Solution_d<double>& solution : solve(plane)) {
-      const std::optional<std::size_t> point = placed(plane, point_of(solution, axis, value), box, axis, known);
-      if (needs_regular && (solution.kind() != Solution_kind::CERTIFIED || !point)) {
+      if (needs_regular && solution.kind() != Solution_kind::CERTIFIED) {
         m_points.resize(before);
         return std::nullopt;
       }
-      result.push_back(*point);
+      result.push_back(placed(plane, point_of(solution, axis, value), box, axis, known));
     }
     const auto is_near = [&](std::size_t i) {
       return m_points[i].box[axis].first < value && value < m_points[i].box[axis].second && std::find(result.begin(), result.end(), i) == result.end();
@@ -116,13 +121,17 @@ private:
     point.is_fixed[axis] = true;
   }
 
-  // The index of a point on a plane: of a known one, if both lie on an edge of the box and are the same; else it becomes known. Nothing if it cannot be told apart from what lies on an edge.
-  std::optional<std::size_t> placed(const Constraint_system_d& plane, Plane_point point, const Exact_ranges& box, int axis, const std::vector<std::size_t>& known)
+  // The index of a point on a plane: of a known one, if both lie on an edge of the box and are the same; else it becomes known. What reaches an edge and is not proved to be one point stays unknown.
+  std::size_t placed(const Constraint_system_d& plane, Plane_point point, const Exact_ranges& box, int axis, const std::vector<std::size_t>& known)
   {
     std::vector<std::pair<int, Exact_rational>> edges;
     for (int k = 0; k < static_cast<int>(box.size()); ++k)
       for (const Exact_rational& end : {box[k].first, box[k].second})
         if (k != axis && point.box[k].first <= end && end <= point.box[k].second) {
+          if (!point.is_one_point()) {
+            point.kind = Plane_point::UNKNOWN;
+            break;
+          }
           const std::vector<Exact_ranges> on_edge = points_on_edge(plane, point.box, axis, k, end);
           const auto root = std::find_if(on_edge.begin(), on_edge.end(), [&](const Exact_ranges& x) { return is_within(x, point.region); });
           if (root == on_edge.end())

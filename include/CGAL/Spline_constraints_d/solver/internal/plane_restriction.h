@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_PLANE_RESTRICTION_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_function.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
 #include <algorithm>
@@ -17,15 +18,6 @@ namespace Spline_constraints {
 namespace internal {
 
 using Exact_ranges = std::vector<std::pair<Exact_rational, Exact_rational>>;
-
-// The piece of a term that is over a parameter of one of its axes; at a break the one behind it.
-inline std::size_t piece_along(const Spline_term& term, std::size_t axis, const Exact_rational& value)
-{
-  const std::vector<Exact_rational>& breaks = term.breaks[axis];
-  if (breaks.size() < 3)
-    return 0;
-  return static_cast<std::size_t>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, value) - breaks.begin()) - 1;
-}
 
 // Keeps of the layers of a row-major array along one axis, which has `layers` of them with `inner` entries next to each other, what `merged(first entry, distance)` makes of each row.
 template <class T, class Merge>
@@ -46,7 +38,7 @@ inline Spline_term with_fixed(const Spline_term& term, std::size_t axis, const E
     inner_cells *= term.cells(j);
     inner_size *= static_cast<std::size_t>(term.degrees[j]) + 1;
   }
-  const std::size_t cell = piece_along(term, axis, value);
+  const std::size_t cell = cell_at(term.breaks[axis], value);
   const int degree = term.degrees[axis];
   Spline_term result;
   result.pieces = without_axis(term.pieces, term.cells(axis), inner_cells, [&](const std::vector<Exact_rational>* piece, std::size_t step) {
@@ -99,7 +91,7 @@ inline Constraint_system_d on_cell(const Constraint_system_d& system, const Exac
     for (const Spline_term& term : function.terms()) {
       std::size_t piece = 0;
       for (std::size_t j = 0; j < term.variables.size(); ++j)
-        piece = piece * term.cells(j) + piece_along(term, j, box[term.variables[j]].first);
+        piece = piece * term.cells(j) + cell_at(term.breaks[j], box[term.variables[j]].first);
       polynomial += Spline_function(Spline_term{term.variables, term.degrees, std::vector<std::vector<Exact_rational>>(term.variables.size()), {term.pieces[piece]}});
     }
     result.add(std::move(polynomial), Relation::EQUAL);
