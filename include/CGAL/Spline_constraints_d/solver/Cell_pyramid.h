@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CELL_PYRAMID_H
 
 #include <CGAL/Spline_constraints_d/function/bernstein_conversion.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
@@ -125,7 +126,7 @@ private:
       for (int k = 0; k < result.sizes[j]; ++k) {
         const auto [begin, end] = result.sizes[j] == 1 ? system.domain(unknown) : std::pair(breaks[unknown][k], breaks[unknown][k + 1]);
         conversions[j].push_back(from_power_matrix(term.degrees[j], Interval(to_double_interval(begin)), Interval(to_double_interval(end))));
-        pieces[j].push_back(piece_at(term.breaks[j], begin));
+        pieces[j].push_back(cell_at(term.breaks[j], begin));
       }
     }
     for_each_index(last_of(result.sizes), [&](const std::vector<int>& cell) {
@@ -140,13 +141,6 @@ private:
       result.bounds.push_back(bounds_of(coefficients));
     });
     return result;
-  }
-
-  static std::size_t piece_at(const std::vector<Exact_rational>& breaks, const Exact_rational& parameter)
-  {
-    if (breaks.empty())
-      return 0;
-    return static_cast<std::size_t>(std::upper_bound(breaks.begin() + 1, breaks.end() - 1, parameter) - breaks.begin()) - 1;
   }
 
   static Bounds bounds_of(const std::vector<Interval>& coefficients)
