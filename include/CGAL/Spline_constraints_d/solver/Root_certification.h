@@ -51,7 +51,7 @@ class Root_certification
   Certified_region<Coordinate> m_across;
   Local_box m_part;
   std::vector<Coordinate> m_corner[2];
-  // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs about two of them.
+  // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs only a few of them.
   static constexpr double m_fine_contraction = 0.2;
 
 public:
