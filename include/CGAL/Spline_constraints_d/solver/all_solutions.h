@@ -67,7 +67,8 @@ class All_solutions;
 
 // All solutions of a system, in no order. With one unknown the default traits have a path of their own.
 template <class Traits, class Concurrency_tag>
-auto all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
+std::vector<Solution_d<typename Number_traits<typename Traits::Number_type>::Coordinate>>
+all_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
 {
   if constexpr (std::same_as<Traits, Certified_solver_traits>)
     if (system.dimension() == 1)

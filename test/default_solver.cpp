@@ -1,0 +1,11 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "default_solver.h"
+
+namespace CGAL::Spline_constraints::internal {
+
+template std::vector<Solution_d<double>>
+all_solutions<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
+
+} // namespace CGAL::Spline_constraints::internal
