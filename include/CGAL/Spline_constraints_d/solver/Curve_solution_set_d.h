@@ -20,7 +20,7 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value; or a singular point.
+A point of a curve of solutions where it passes from one box to the next, or ends: on a plane where one unknown, or several, have a known value; where an inequality is zero; or a singular point.
 */
 struct Curve_vertex
 {
@@ -34,6 +34,9 @@ struct Curve_vertex
 
   //! whether it is a singular point, by proof the only one near it: four pieces end there, as where two curves cross, or none, then it is an isolated solution.
   bool is_singular;
+
+  //! whether an inequality is zero at the point, by proof.
+  bool is_on_inequality;
 
   //! the middle of the box, rounded to doubles.
   std::vector<double> point() const
@@ -127,13 +130,13 @@ public:
   {}
 #endif
 
-  //! the curves. An open curve ends on the boundary of the domain, at a singular point or at an undecided region.
+  //! the curves. An open curve ends on the boundary of the domain, where an inequality is zero, at a singular point or at an undecided region.
   const std::vector<Solution_curve>& curves() const { return m_curves; }
 
   //! the vertices of all curves, which pieces refer to by their indices.
   const std::vector<Curve_vertex>& vertices() const { return m_vertices; }
 
-  //! solutions without others near them: points where a curve only touches the domain from outside.
+  //! solutions without others near them: points where a curve only touches the domain, or what the inequalities allow, from outside.
   const std::vector<std::size_t>& points() const { return m_points; }
 
   //! indices of the vertices that are singular points: where curves cross, and isolated solutions inside of the domain.

@@ -27,6 +27,7 @@ namespace internal {
 class All_curves
 {
   const Constraint_system_d& m_system;
+  const Constraint_system_d m_equalities;
   const Solver_options& m_options;
   Run_control& m_control;
   Summary m_summary;
@@ -37,7 +38,9 @@ class All_curves
   std::vector<double> m_widths;
 
 public:
-  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control) : m_system(system), m_options(options), m_control(control), m_vertices(options) {}
+  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control) 
+    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options)
+  {}
 
   Curve_solution_set_d operator()()
   {
@@ -51,9 +54,10 @@ public:
       const Vertex_indices vertices = vertices_on_boundary(domain);
       split_cells(domain, cells, vertices);
     }
+    const std::vector<std::size_t> points = isolated_points();
     m_summary.nodes += m_vertices.work().nodes;
     m_summary.seconds = m_control.seconds();
-    return Curve_chains(domain, m_vertices, std::move(m_pieces), std::move(m_undecided)).solution_set(m_summary);
+    return Curve_chains(domain, m_vertices, std::move(m_pieces), std::move(m_undecided)).solution_set(points, m_summary);
   }
 
 private:
@@ -72,7 +76,7 @@ private:
     Vertex_indices result;
     for (int axis = 0; axis < m_system.dimension(); ++axis)
       for (const Exact_rational& end : {domain[axis].first, domain[axis].second}) {
-        const auto on_face = m_vertices.on_plane(m_system, domain, axis, end, result, false);
+        const auto on_face = m_vertices.on_plane(m_equalities, domain, axis, end, result, false);
         for (const std::size_t i : *on_face)
           if (std::find(result.begin(), result.end(), i) == result.end())
             result.push_back(i);
@@ -89,7 +93,7 @@ private:
       return;
     }
     const Exact_rational value = m_breaks[axis][index];
-    const Vertex_indices on_plane = *m_vertices.on_plane(m_system, box, axis, value, vertices, false);
+    const Vertex_indices on_plane = *m_vertices.on_plane(m_equalities, box, axis, value, vertices, false);
     for (const bool is_upper : {false, true}) {
       Exact_ranges part = box;
       (is_upper ? part[axis].first : part[axis].second) = value;
@@ -106,6 +110,28 @@ private:
         }
       split_cells(part, own, known);
     }
+  }
+
+  // The vertices that neither pieces nor undecided boxes have, if they satisfy the inequalities.
+  Vertex_indices isolated_points()
+  {
+    std::vector<bool> is_met(m_vertices.size(), false);
+    for (const Curve_piece& piece : m_pieces)
+      for (const std::size_t i : piece.ends)
+        is_met[i] = true;
+    for (const Undecided_box& box : m_undecided)
+      for (const std::size_t i : box.vertices)
+        is_met[i] = true;
+    Vertex_indices result;
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      if (!is_met[i] && !m_vertices[i].is_singular_point()) {
+        const CGAL::Uncertain<bool> is_solution = m_system.inequalities().empty() ? CGAL::Uncertain<bool>(true) : m_vertices.satisfies_inequalities(m_system, i);
+        if (!CGAL::is_certain(is_solution))
+          m_undecided.push_back({m_vertices[i].box, {i}, Undecided_reason::INEQUALITY});
+        else if (CGAL::certainly(is_solution))
+          result.push_back(i);
+      }
+    return result;
   }
 
   // The axis with the most cells in a box, and the break in the middle of them; -1 when there is one cell only.
@@ -138,9 +164,12 @@ on its boundary tells how they are joined. So no curve is lost, however small, n
 Small boxes with a singular point where two curves cross transversally, or with one isolated solution with a definite quadratic part, are proved to be that, if the point is neither on the boundary of the domain nor on
 a break and there are at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
 
-\param system the constraints; one equality less than unknowns, no inequalities.
+Inequalities cut the curves where they are zero, at certified points; of what they allow, the closure is reported, so that `>` and `>=` differ only where a curve just touches what is allowed from outside, and `!=` removes
+no single points. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
+
+\param system the constraints; one equality less than unknowns.
 \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.
-\throws Invalid_input when the number of equalities is another one, there are inequalities, the range of an unknown is one number, or an option makes no sense.
+\throws Invalid_input when the number of equalities is another one, the range of an unknown is one number, or an option makes no sense.
 
 Source: seed 001, section 2 (the curves); the graph test in the place of a tracing by steps.
 */
@@ -150,8 +179,6 @@ inline Curve_solution_set_d solve_curves(const Constraint_system_d& system, cons
   const int n = system.dimension();
   if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
     throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
-  if (!system.inequalities().empty())
-    throw Invalid_input("solve_curves: inequalities are not supported");
   for (int v = 0; v < n; ++v)
     if (!(system.domain(v).first < system.domain(v).second))
       throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");

@@ -26,14 +26,14 @@ class Curve_sampler
 {
   using Point = std::vector<double>;
 
-  const Constraint_system_d& m_system;
+  const Constraint_system_d m_system;
   System_layout m_layout;
   Exact_source m_source;
   std::vector<Exact_source::Value> m_values;
   double m_error;
 
 public:
-  Curve_sampler(const Constraint_system_d& system, double error) : m_system(system), m_layout(m_system), m_source(m_system, m_layout), m_error(error) {}
+  Curve_sampler(const Constraint_system_d& system, double error) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout), m_error(error) {}
 
   // Appends the points of a piece behind `from`, until the middles of chords are near the curve; `to` is the last one.
   void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, int depth = 0)

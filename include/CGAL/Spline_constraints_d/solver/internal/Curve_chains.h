@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -35,27 +36,40 @@ public:
         m_pieces_at[end].push_back(p);
   }
 
-  Curve_solution_set_d solution_set(Summary summary)
+  // With the vertices that anything refers to.
+  Curve_solution_set_d solution_set(std::vector<std::size_t> isolated_points, Summary summary)
   {
     std::vector<Undecided_region> undecided = regions();
     std::vector<Solution_curve> curves = chains();
-    std::vector<Curve_vertex> vertices;
     std::vector<std::size_t> singular_points;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      vertices.push_back({m_points[i].box, is_on_boundary(i), is_singular_point(i)});
-      if (is_singular_point(i))
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_points[i].is_singular_point())
         singular_points.push_back(i);
-    }
+
+    std::vector<Curve_vertex> vertices;
+    std::map<std::size_t, std::size_t> place;
+    const auto renumber = [&](std::size_t& i) {
+      const auto [entry, is_new] = place.try_emplace(i, vertices.size());
+      if (is_new)
+        vertices.push_back({m_points[i].box, is_on_boundary(i), m_points[i].is_singular_point(), m_points[i].inequality.has_value()});
+      i = entry->second;
+    };
+    for (Solution_curve& curve : curves)
+      for (Curve_piece& piece : curve.pieces)
+        std::for_each(piece.ends.begin(), piece.ends.end(), renumber);
+    for (Undecided_region& region : undecided)
+      std::for_each(region.vertices.begin(), region.vertices.end(), renumber);
+    std::for_each(isolated_points.begin(), isolated_points.end(), renumber);
+    std::for_each(singular_points.begin(), singular_points.end(), renumber);
+
     if (!undecided.empty()) {
       summary.is_complete = false;
       summary.why_not = undecided.front().reason;
     }
-    return Curve_solution_set_d(std::move(vertices), std::move(curves), isolated_points(), std::move(singular_points), std::move(undecided), summary);
+    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(isolated_points), std::move(singular_points), std::move(undecided), summary);
   }
 
 private:
-  bool is_singular_point(std::size_t i) const { return m_points[i].planes() == 0; }
-
   bool is_on_boundary(std::size_t i) const
   {
     const Plane_point& point = m_points[i];
@@ -105,14 +119,6 @@ private:
     }
   }
 
-  static bool touch(const Exact_ranges& a, const Exact_ranges& b)
-  {
-    for (std::size_t j = 0; j < a.size(); ++j)
-      if (a[j].second < b[j].first || b[j].second < a[j].first)
-        return false;
-    return true;
-  }
-
   // Of each box one of those that it is connected to, the same for all of them. By a sweep along the first unknown.
   std::vector<std::size_t> roots_of_regions() const
   {
@@ -151,18 +157,6 @@ private:
       std::erase_if(region.vertices, [&](std::size_t i) { return m_pieces_at[i].empty(); });
       if (!region.boxes.empty())
         result.push_back(std::move(region));
-    }
-    return result;
-  }
-
-  // Vertices without pieces that no undecided box has.
-  std::vector<std::size_t> isolated_points() const
-  {
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      const auto holds_it = [&](const Undecided_box& box) { return std::find(box.vertices.begin(), box.vertices.end(), i) != box.vertices.end(); };
-      if (m_pieces_at[i].empty() && !is_singular_point(i) && std::none_of(m_boxes.begin(), m_boxes.end(), holds_it))
-        result.push_back(i);
     }
     return result;
   }

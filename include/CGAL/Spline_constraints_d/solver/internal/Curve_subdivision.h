@@ -40,12 +40,14 @@ struct Undecided_box
 /*
 The curves in one cell, where all functions are polynomials. The vertices on the boundary of a box are known before it is looked at: those on the plane that it is split along are found before it is split,
 and both halves get them. A box is finished when it has no solutions, or when they are a graph over one unknown: then the vertices in the order of that unknown are the ends of the pieces; or when all of them end in one singular point.
+
+Inequalities that neither hold everywhere in a box nor exclude it have their zeros among the vertices of a graph, so that they hold for all points between two vertices or for none.
 */
 class Curve_subdivision
 {
   using Node = Box_node<double>;
 
-  const Constraint_system_d m_system;
+  const Constraint_system_d m_system, m_equalities, m_closure;   // the last without inequations
   const System_layout m_layout;
   Exact_source m_source;
   Summary& m_summary;
@@ -57,6 +59,7 @@ class Curve_subdivision
   Curve_vertices& m_vertices;
   std::deque<Node> m_nodes;   // per level; stays where it is
   std::vector<double> m_domain_widths;
+  std::vector<std::size_t> m_open_inequalities;   // of the node
   std::size_t m_attempts = 0, m_singular_points = 0;
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
@@ -64,7 +67,7 @@ class Curve_subdivision
 public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Summary& summary,
                     Curve_vertices& vertices, std::vector<Curve_piece>& pieces, std::vector<Undecided_box>& undecided)
-    : m_system(on_cell(system, cell)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, true),
+    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, true),
       m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(vertices), m_domain_widths(domain_widths), m_pieces(pieces), m_undecided(undecided)
   {}
 
@@ -146,8 +149,17 @@ private:
   bool is_excluded()
   {
     for (int f = 0; f < m_layout.equalities; ++f)
-      if (m_analysis.view.lower(f) > 0 || m_analysis.view.upper(f) < 0)
+      if (is_certainly_violated(Relation::EQUAL, m_analysis.view.lower(f), m_analysis.view.upper(f)))
         return true;
+    m_open_inequalities.clear();
+    for (std::size_t g = 0; g < m_system.inequalities().size(); ++g) {
+      const int f = m_layout.equalities + static_cast<int>(g);
+      const double lower = m_analysis.view.lower(f), upper = m_analysis.view.upper(f);
+      if (is_certainly_violated(m_system.inequalities()[g].relation, lower, upper))
+        return true;
+      if (!is_certainly_satisfied(m_system.inequalities()[g].relation, lower, upper))
+        m_open_inequalities.push_back(g);
+    }
     return false;
   }
 
@@ -157,7 +169,7 @@ private:
     constexpr double small = 0x1p-10;   // relative to the domain: these pieces are drawn as chords
     constexpr std::size_t few_attempts = 1000;   // and as many more after each success
     const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
-    if (depth % m_layout.dimension != 0 || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
+    if (depth % m_layout.dimension != 0 || !m_open_inequalities.empty() || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
       if (node.upper[j] - node.lower[j] > small * m_domain_widths[j])
@@ -165,7 +177,7 @@ private:
     if (m_layout.equalities == 1 && !may_gradient_vanish())
       return false;
     ++m_attempts;
-    const std::optional<Proved_singularity> point = Singular_point_test(m_system, box)();
+    const std::optional<Proved_singularity> point = Singular_point_test(m_equalities, box)();
     if (!point || point->branches != vertices.size())
       return false;
     ++m_singular_points;
@@ -201,7 +213,7 @@ private:
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
           continue;
-        if (auto on_plane = m_vertices.on_plane(m_system, box, axis, value, vertices, true))
+        if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
           return Split{axis, place, value, std::move(*on_plane)};
       }
     return std::nullopt;
@@ -229,12 +241,29 @@ private:
     return result;
   }
 
+  // Finishes a box where the solutions are a graph over one unknown; false when something cannot be decided.
+  bool joined(const Exact_ranges& box, Vertex_indices vertices, int parameter)
+  {
+    const std::size_t before = m_vertices.size();
+    Undecided_reason reason = Undecided_reason::NONE;
+    for (auto g = m_open_inequalities.begin(); g != m_open_inequalities.end() && reason == Undecided_reason::NONE; ++g)
+      reason = m_vertices.add_zeros(m_equalities, m_system.inequalities(), *g, box, vertices);
+    if (reason == Undecided_reason::NONE && add_pieces(box, vertices, parameter))
+      return true;
+    m_vertices.resize(before);
+    if (reason != Undecided_reason::CONTINUUM)
+      return false;
+    std::erase_if(vertices, [&](std::size_t i) { return i >= before; });
+    m_undecided.push_back({box, std::move(vertices), reason});   // it is zero along a curve: smaller boxes would not help
+    return true;
+  }
+
   /*
-  Makes the pieces in a box where the solutions are a graph over one unknown. At a regular point inside a face the curve goes through the face, so that it is in the box on just one side of the point, and
-  pieces begin and end at such points in turns. On edges of the box, and where the curve touches it, a slice between this vertex and the next one tells whether it is in the box.
+  Makes the pieces between vertices on a graph over one unknown. At a regular point inside a face the curve goes through the face, so that it is in the box on just one side of the point, and
+  pieces begin and end at such points in turns. On edges of the box, where the curve touches it, and wherever inequalities matter, a slice between this vertex and the next one tells whether there is a piece.
   False when the order of the vertices or a slice cannot be decided.
   */
-  bool joined(const Exact_ranges& box, Vertex_indices vertices, int parameter)
+  bool add_pieces(const Exact_ranges& box, Vertex_indices& vertices, int parameter)
   {
     const auto place = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& { return m_vertices[i].box[parameter]; };
     std::sort(vertices.begin(), vertices.end(), [&](std::size_t i, std::size_t j) { return place(i).first < place(j).first; });
@@ -247,7 +276,7 @@ private:
       if (is_inside)
         pieces.push_back({box, parameter, {vertices[k - 1], vertices[k]}});
       const Plane_point& vertex = m_vertices[vertices[k]];
-      if (vertex.kind == Plane_point::REGULAR && vertex.planes() == 1)
+      if (m_open_inequalities.empty() && vertex.kind == Plane_point::REGULAR && vertex.planes() == 1)
         is_inside = !is_inside;
       else if (k + 1 == vertices.size())
         is_inside = false;
@@ -265,7 +294,7 @@ private:
   // Whether the box has solutions with an unknown between two values, all or none of which have one.
   std::optional<bool> has_solution_between(const Exact_ranges& box, int unknown, const Exact_rational& lower, const Exact_rational& upper)
   {
-    const Solution_set_d<double> slice = m_vertices.solve(on_plane(m_system, box, unknown, Exact_rational((lower + upper) / 2)));
+    const Solution_set_d<double> slice = m_vertices.solve(on_plane(m_closure, box, unknown, Exact_rational((lower + upper) / 2)));
     if (slice.count(Solution_kind::CERTIFIED) > 0)
       return true;
     return slice.is_complete() && slice.empty() ? std::optional(false) : std::nullopt;

@@ -4,10 +4,15 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_VERTICES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVE_VERTICES_H
 
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Multiple_root.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
 
+#include <CGAL/Uncertain.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -17,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point that was looked for.
+// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point that was looked for, or a zero of an inequality.
 struct Plane_point
 {
   enum Kind { REGULAR, SINGULAR, UNKNOWN };   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
@@ -25,6 +30,7 @@ struct Plane_point
   Kind kind;
   Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
   std::vector<bool> is_fixed;   // per unknown
+  std::optional<std::size_t> inequality = std::nullopt;   // one that is zero there
 
   // Proved to be one point, whatever the box: two roots that were not told apart are not.
   bool is_one_point() const
@@ -32,8 +38,18 @@ struct Plane_point
     return kind == REGULAR || (kind == SINGULAR && std::all_of(box.begin(), box.end(), [](const auto& range) { return range.first == range.second; }));
   }
 
+  bool is_singular_point() const { return planes() == 0 && !inequality; }
+
   std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
 };
+
+inline bool touch(const Exact_ranges& a, const Exact_ranges& b)
+{
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].second < b[j].first || b[j].second < a[j].first)
+      return false;
+  return true;
+}
 
 inline bool is_within(const Exact_ranges& inner, const Exact_ranges& outer)
 {
@@ -66,6 +82,55 @@ public:
   {
     m_points.push_back({Plane_point::SINGULAR, box, box, std::vector<bool>(box.size(), false)});
     return m_points.size() - 1;
+  }
+
+  // Forgets the last points.
+  void resize(std::size_t size) { m_points.resize(size); }
+
+  /*
+  Adds to the points within a box where the solutions are a graph those where an inequality is zero, unless they are there: on a plane this is decided exactly, with one equality more than unknowns. Zeros of
+  an inequation are not added, as only the closure matters. Whether zeros change the sign does not matter, as long as each is proved to be one point: else the reason why not.
+  */
+  Undecided_reason add_zeros(const Constraint_system_d& equalities, const std::vector<Constraint_system_d::Inequality>& inequalities, std::size_t index, const Exact_ranges& box,
+                             std::vector<std::size_t>& points)
+  {
+    Constraint_system_d zeros = equalities_on(equalities, box);
+    zeros.add(inequalities[index].function, Relation::EQUAL);
+    const std::vector<std::size_t> known = points;
+    for (const Solution_d<double>& solution : solve(zeros)) {
+      if (solution.kind() == Solution_kind::CONTINUUM || solution.reason() == Undecided_reason::CONTINUUM)
+        return Undecided_reason::CONTINUUM;
+      Plane_point zero = point_of(solution);
+      if (zero.kind == Plane_point::UNKNOWN || (zero.kind == Plane_point::SINGULAR && !isolate(zeros, zero)))
+        return Undecided_reason::INEQUALITY;
+      zero.is_fixed.assign(box.size(), false);
+      zero.inequality = index;
+      const auto place = std::find_if(known.begin(), known.end(), [&](std::size_t i) { return touch(m_points[i].box, zero.box) && is_within(m_points[i].box, zero.region) && vanishes_at(zeros, m_points[i]); });
+      if (place != known.end())
+        m_points[*place].inequality = index;
+      else if (inequalities[index].relation != Relation::NOT_EQUAL) {
+        points.push_back(m_points.size());
+        m_points.push_back(std::move(zero));
+      }
+    }
+    return Undecided_reason::NONE;
+  }
+
+  // Whether a point satisfies the inequalities of the system. Of the inequality that is zero there, this is known.
+  CGAL::Uncertain<bool> satisfies_inequalities(const Constraint_system_d& system, std::size_t i)
+  {
+    const Plane_point& point = m_points[i];
+    if (point.inequality && is_strict(system.inequalities()[*point.inequality].relation))
+      return false;
+    Constraint_system_d others = equalities_on(system, point.region);
+    for (std::size_t k = 0; k < system.inequalities().size(); ++k)
+      others.add(system.inequalities()[k].function, k == point.inequality ? Relation::EQUAL : system.inequalities()[k].relation);
+    const auto axis = std::find(point.is_fixed.begin(), point.is_fixed.end(), true);
+    const int unknown = static_cast<int>(axis - point.is_fixed.begin());
+    const Solution_set_d<double> found = solve(axis == point.is_fixed.end() ? others : internal::on_plane(others, point.region, unknown, point.region[unknown].first));
+    if (found.empty() && found.is_complete())
+      return false;
+    return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
   }
 
   Solution_set_d<double> solve(const Constraint_system_d& system)
@@ -105,10 +170,45 @@ public:
   }
 
 private:
-  static Plane_point point_of(const Solution_d<double>& solution, int axis, const Exact_rational& value)
+  // Proves that a multiple root is one rational point, and makes this the box and a neighbourhood without other roots the region.
+  static bool isolate(const Constraint_system_d& system, Plane_point& root)
+  {
+    std::vector<double> lower, upper, widths;
+    for (const auto& [begin, end] : root.box) {
+      lower.push_back(to_double_interval(begin).first);
+      upper.push_back(to_double_interval(end).second);
+      widths.push_back(0x1p-10 * (std::max)({1.0, std::abs(lower.back()), std::abs(upper.back())}));
+    }
+    const std::optional<Multiple_root> found = multiple_root_in(system, lower, upper, widths);
+    for (std::size_t j = 0; found && j < lower.size(); ++j) {
+      root.box[j] = {found->point[j], found->point[j]};
+      root.region[j] = {Exact_rational(found->lower[j]), Exact_rational(found->upper[j])};
+    }
+    return found.has_value();
+  }
+
+  static bool is_strict(Relation relation) { return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL; }
+
+  // Whether a function that is one equality of the system more is zero at a point on a plane.
+  bool vanishes_at(const Constraint_system_d& system, const Plane_point& point)
+  {
+    for (int j = 0; j < system.dimension(); ++j)
+      if (point.is_fixed[j] && point.region[j].first == point.region[j].second) {
+        const Solution_set_d<double> found = solve(internal::on_plane(system, point.region, j, point.region[j].first));
+        return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0;
+      }
+    return false;
+  }
+
+  static Plane_point point_of(const Solution_d<double>& solution)
   {
     const Plane_point::Kind kind = solution.kind() == Solution_kind::CERTIFIED ? Plane_point::REGULAR : solution.kind() == Solution_kind::CLUSTER ? Plane_point::SINGULAR : Plane_point::UNKNOWN;
-    Plane_point result{kind, solution.exact_box(), solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), {}};
+    return {kind, solution.exact_box(), solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region(), {}};
+  }
+
+  static Plane_point point_of(const Solution_d<double>& solution, int axis, const Exact_rational& value)
+  {
+    Plane_point result = point_of(solution);
     for (Exact_ranges* ranges : {&result.box, &result.region})
       ranges->insert(ranges->begin() + axis, {value, value});
     result.is_fixed.assign(result.box.size(), false);

@@ -72,21 +72,29 @@ inline Spline_function with_fixed(const Spline_function& function, int unknown, 
   return result;
 }
 
-// The equalities on the part of a plane, where an unknown has a fixed value, that lies in a box.
-inline Constraint_system_d on_plane(const Constraint_system_d& system, Exact_ranges box, int unknown, const Exact_rational& value)
+// A system on another box, with change(function) in the place of each function.
+template <class Change>
+Constraint_system_d changed(const Constraint_system_d& system, Exact_ranges box, const Change& change)
 {
-  box.erase(box.begin() + unknown);
   Constraint_system_d result(std::move(box));
   for (const Spline_function& function : system.equalities())
-    result.add(with_fixed(function, unknown, value), Relation::EQUAL);
+    result.add(change(function), Relation::EQUAL);
+  for (const auto& [function, relation] : system.inequalities())
+    result.add(change(function), relation);
   return result;
 }
 
-// The equalities on a box within one cell, as polynomials.
+// A system on the part of a plane, where an unknown has a fixed value, that lies in a box.
+inline Constraint_system_d on_plane(const Constraint_system_d& system, Exact_ranges box, int unknown, const Exact_rational& value)
+{
+  box.erase(box.begin() + unknown);
+  return changed(system, std::move(box), [&](const Spline_function& function) { return with_fixed(function, unknown, value); });
+}
+
+// A system on a box within one cell, as polynomials.
 inline Constraint_system_d on_cell(const Constraint_system_d& system, const Exact_ranges& box)
 {
-  Constraint_system_d result(box);
-  for (const Spline_function& function : system.equalities()) {
+  return changed(system, box, [&](const Spline_function& function) {
     Spline_function polynomial;
     for (const Spline_term& term : function.terms()) {
       std::size_t piece = 0;
@@ -94,8 +102,34 @@ inline Constraint_system_d on_cell(const Constraint_system_d& system, const Exac
         piece = piece * term.cells(j) + cell_at(term.breaks[j], box[term.variables[j]].first);
       polynomial += Spline_function(Spline_term{term.variables, term.degrees, std::vector<std::vector<Exact_rational>>(term.variables.size()), {term.pieces[piece]}});
     }
-    result.add(std::move(polynomial), Relation::EQUAL);
-  }
+    return polynomial;
+  });
+}
+
+// The equalities alone, on a box.
+inline Constraint_system_d equalities_on(const Constraint_system_d& system, const Exact_ranges& box)
+{
+  Constraint_system_d result(box);
+  for (const Spline_function& function : system.equalities())
+    result.add(function, Relation::EQUAL);
+  return result;
+}
+
+inline Constraint_system_d equalities_of(const Constraint_system_d& system)
+{
+  Exact_ranges domain;
+  for (int v = 0; v < system.dimension(); ++v)
+    domain.push_back(system.domain(v));
+  return equalities_on(system, domain);
+}
+
+// The closure of what a system allows, where no inequation f != 0 has its zeros along a whole curve.
+inline Constraint_system_d without_inequations(const Constraint_system_d& system)
+{
+  Constraint_system_d result = equalities_of(system);
+  for (const auto& [function, relation] : system.inequalities())
+    if (relation != Relation::NOT_EQUAL)
+      result.add(function, relation);
   return result;
 }
 
