@@ -68,7 +68,9 @@ TEST(Curve_inequalities, circle)
   expect_numbers(SC::solve_curves(circle, x > 0), 0, 1);
   expect_numbers(SC::solve_curves(circle, 3 * x < 5 * y), 0, 1);
   expect_numbers(SC::solve_curves(circle, x * y > 0), 0, 2);
-  expect_numbers(SC::solve_curves(circle, x * y != 0), 1, 0);   // the closure
+  expect_numbers(SC::solve_curves(circle, x * y != 0), 0, 4);
+  expect_numbers(SC::solve_curves(circle, 3 * x != 5 * y, x <= 2), 0, 2);
+  expect_numbers(SC::solve_curves(circle, x != 2), 1, 0);
   expect_numbers(SC::solve_curves(circle, x <= 2), 1, 0);
   expect_numbers(SC::solve_curves(circle, x > Rational(3, 2)), 0, 0);
   expect_numbers(SC::solve_curves(circle, x > Rational(-1, 2), x < Rational(1, 2)), 0, 2);
@@ -84,6 +86,9 @@ TEST(Curve_inequalities, contacts)
   auto [x, y] = unknowns({-2, 2}, {-2, 2});
   const auto circle = x * x + y * y == 1;
   expect_numbers(SC::solve_curves(circle, x <= 1), 1, 0);      // touches the line from inside
+  expect_numbers(SC::solve_curves(circle, x < 1), 0, 1);       // without the point
+  expect_numbers(SC::solve_curves(circle, x < 1, y < 1), 0, 2);
+  expect_numbers(SC::solve_curves(circle, 3 * x + 4 * y != 5), 0, 1);
   expect_numbers(SC::solve_curves(circle, x >= 1), 0, 0, 1);   // and from outside
   expect_numbers(SC::solve_curves(circle, x > 1), 0, 0, 0);
   const auto point = SC::solve_curves(circle, 3 * x + 4 * y >= 5);

@@ -35,7 +35,7 @@ struct Curve_vertex
   //! whether it is a singular point, by proof the only one near it: four pieces end there, as where two curves cross, or none, then it is an isolated solution.
   bool is_singular;
 
-  //! whether an inequality is zero at the point, by proof.
+  //! whether an inequality is zero at the point, by proof. If it is a strict one, the point does not belong to the curves that end there.
   bool is_on_inequality;
 
   //! the middle of the box, rounded to doubles.

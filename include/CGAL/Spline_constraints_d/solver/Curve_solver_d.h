@@ -164,8 +164,8 @@ on its boundary tells how they are joined. So no curve is lost, however small, n
 Small boxes with a singular point where two curves cross transversally, or with one isolated solution with a definite quadratic part, are proved to be that, if the point is neither on the boundary of the domain nor on
 a break and there are at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
 
-Inequalities cut the curves where they are zero, at certified points; of what they allow, the closure is reported, so that `>` and `>=` differ only where a curve just touches what is allowed from outside, and `!=` removes
-no single points. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
+Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
+\f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
 
 \param system the constraints; one equality less than unknowns.
 \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.

@@ -79,8 +79,8 @@ private:
     return false;
   }
 
-  // A curve goes on through a vertex that two pieces share, not through a singular point.
-  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2; }
+  // A curve goes on through a vertex that two pieces share, not through a singular point, nor where a strict inequality is zero.
+  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2 && !m_points[vertex].is_excluded; }
 
   std::vector<Solution_curve> chains()
   {

@@ -31,6 +31,7 @@ struct Plane_point
   Exact_ranges box, region;     // in the region, there is no other one on the first of the planes
   std::vector<bool> is_fixed;   // per unknown
   std::optional<std::size_t> inequality = std::nullopt;   // one that is zero there
+  bool is_excluded = false;                               // a strict one is
 
   // Proved to be one point, whatever the box: two roots that were not told apart are not.
   bool is_one_point() const
@@ -88,8 +89,8 @@ public:
   void resize(std::size_t size) { m_points.resize(size); }
 
   /*
-  Adds to the points within a box where the solutions are a graph those where an inequality is zero, unless they are there: on a plane this is decided exactly, with one equality more than unknowns. Zeros of
-  an inequation are not added, as only the closure matters. Whether zeros change the sign does not matter, as long as each is proved to be one point: else the reason why not.
+  Adds to the points within a box where the solutions are a graph those where an inequality is zero, unless they are there: on a plane this is decided exactly, with one equality more than unknowns.
+  Whether zeros change the sign does not matter, as long as each is proved to be one point: else the reason why not.
   */
   Undecided_reason add_zeros(const Constraint_system_d& equalities, const std::vector<Constraint_system_d::Inequality>& inequalities, std::size_t index, const Exact_ranges& box,
                              std::vector<std::size_t>& points)
@@ -104,14 +105,14 @@ public:
       if (zero.kind == Plane_point::UNKNOWN || (zero.kind == Plane_point::SINGULAR && !isolate(zeros, zero)))
         return Undecided_reason::INEQUALITY;
       zero.is_fixed.assign(box.size(), false);
-      zero.inequality = index;
       const auto place = std::find_if(known.begin(), known.end(), [&](std::size_t i) { return touch(m_points[i].box, zero.box) && is_within(m_points[i].box, zero.region) && vanishes_at(zeros, m_points[i]); });
-      if (place != known.end())
-        m_points[*place].inequality = index;
-      else if (inequalities[index].relation != Relation::NOT_EQUAL) {
-        points.push_back(m_points.size());
+      const std::size_t i = place == known.end() ? m_points.size() : *place;
+      if (place == known.end()) {
+        points.push_back(i);
         m_points.push_back(std::move(zero));
       }
+      m_points[i].inequality = index;
+      m_points[i].is_excluded = m_points[i].is_excluded || is_strict(inequalities[index].relation);
     }
     return Undecided_reason::NONE;
   }
@@ -120,7 +121,7 @@ public:
   CGAL::Uncertain<bool> satisfies_inequalities(const Constraint_system_d& system, std::size_t i)
   {
     const Plane_point& point = m_points[i];
-    if (point.inequality && is_strict(system.inequalities()[*point.inequality].relation))
+    if (point.is_excluded)
       return false;
     Constraint_system_d others = equalities_on(system, point.region);
     for (std::size_t k = 0; k < system.inequalities().size(); ++k)
