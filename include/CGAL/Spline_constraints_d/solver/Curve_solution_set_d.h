@@ -161,14 +161,22 @@ public:
   const Summary& summary() const { return m_summary; }
 };
 
-//! \ingroup PkgSplineConstraintsDSolver
-//! writes one line: the numbers of curves, singular points and undecided regions.
-inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set)
+namespace internal {
+
+// The one line that says what a set of curves has, and how complete it is.
+template <class Curve_set>
+std::ostream& write_counts(std::ostream& out, const Curve_set& set)
 {
   return out << "curves: " << set.number_of_closed_curves() << " closed, " << set.number_of_open_curves() << " open, " << set.singular_points().size()
              << " singular points, " << set.undecided().size() << " undecided; complete: "
              << (set.is_complete() ? "yes" : "no") << "; nodes " << set.summary().nodes << "; seconds " << set.summary().seconds;
 }
+
+} // namespace internal
+
+//! \ingroup PkgSplineConstraintsDSolver
+//! writes one line: the numbers of curves, singular points and undecided regions.
+inline std::ostream& operator<<(std::ostream& out, const Curve_solution_set_d& set) { return internal::write_counts(out, set); }
 
 } // namespace Spline_constraints
 } // namespace CGAL

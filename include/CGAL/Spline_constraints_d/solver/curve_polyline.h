@@ -30,13 +30,13 @@ class Curve_sampler
   System_layout m_layout;
   Exact_source m_source;
   std::vector<Exact_source::Value> m_values;
-  double m_error;
 
 public:
-  Curve_sampler(const Constraint_system_d& system, double error) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout), m_error(error) {}
+  explicit Curve_sampler(const Constraint_system_d& system) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout) {}
 
-  // Appends the points of a piece behind `from`, until the middles of chords are near the curve; `to` is the last one.
-  void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, int depth = 0)
+  // Appends the points of a piece behind `from`, until each chord is one by `is_chord(from, point of the curve between, to)`; `to` is the last one.
+  template <class Is_chord>
+  void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, const Is_chord& is_chord, int depth = 0)
   {
     constexpr int least_depth = 1, most_depth = 20;
     if (piece.parameter < 0) {
@@ -47,15 +47,12 @@ public:
     for (std::size_t j = 0; j < from.size(); ++j)
       middle[j] = 0.5 * (from[j] + to[j]);
     const Point point = on_curve(piece, middle);
-    double distance = 0;
-    for (std::size_t j = 0; j < from.size(); ++j)
-      distance = std::hypot(distance, point[j] - middle[j]);
-    if (depth >= most_depth || (depth >= least_depth && distance <= m_error)) {
+    if (depth >= most_depth || (depth >= least_depth && is_chord(from, point, to))) {
       points.push_back(to);
       return;
     }
-    append(points, piece, from, point, depth + 1);
-    append(points, piece, point, to, depth + 1);
+    append(points, piece, from, point, is_chord, depth + 1);
+    append(points, piece, point, to, is_chord, depth + 1);
   }
 
 private:
@@ -136,6 +133,27 @@ private:
   }
 };
 
+// The distance of a point from the middle of two others.
+template <class Point>
+double distance_from_middle(const Point& from, const Point& point, const Point& to)
+{
+  double result = 0;
+  for (std::size_t j = 0; j < point.size(); ++j)
+    result = std::hypot(result, point[j] - 0.5 * (from[j] + to[j]));
+  return result;
+}
+
+// Points along a curve, with a chord between each two by `is_chord`.
+template <class Is_chord>
+std::vector<std::vector<double>> curve_points(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, const Is_chord& is_chord)
+{
+  Curve_sampler sampler(system);
+  std::vector<std::vector<double>> result{set.vertices()[curve.pieces.front().ends[0]].point()};
+  for (const Curve_piece& piece : curve.pieces)
+    sampler.append(result, piece, std::vector<double>(result.back()), set.vertices()[piece.ends[1]].point(), is_chord);
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -155,11 +173,7 @@ inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& s
 {
   if (!(error > 0))
     throw Invalid_input("to_polyline: the error must be positive");
-  internal::Curve_sampler sampler(system, error);
-  std::vector<std::vector<double>> result{set.vertices()[curve.pieces.front().ends[0]].point()};
-  for (const Curve_piece& piece : curve.pieces)
-    sampler.append(result, piece, std::vector<double>(result.back()), set.vertices()[piece.ends[1]].point());
-  return result;
+  return internal::curve_points(system, set, curve, [error](const auto& from, const auto& point, const auto& to) { return internal::distance_from_middle(from, point, to) <= error; });
 }
 
 } // namespace Spline_constraints

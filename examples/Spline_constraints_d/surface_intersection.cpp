@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// All curves that two B-spline surfaces have in common.
+//
+//   surface_intersection [A B] [--output FILE.svg|FILE.vtp|FILE.txt]
+//
+// A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg), or
+// written as polylines (.vtp for ParaView, .txt). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+#include "surface_intersection_output.h"
+
+#include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
+#include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/IO/write_VTP.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+
+#include <fstream>
+#include <iostream>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Surface = SC::Bspline_surface_3<K>;
+
+#ifndef DATA_DIRECTORY
+#define DATA_DIRECTORY "data/"
+#endif
+
+Surface read_surface(const std::string& path)
+{
+  const auto file = path.ends_with(".g2") ? SC::IO::read_g2<K>(path) : SC::IO::read_IRIT<K>(path);
+  if (file.surfaces_3.empty())
+    throw SC::Invalid_input(path + ": no surface");
+  return file.surfaces_3.front().object;
+}
+
+void write(const std::string& path, const Surface& a, const Surface& b, const std::vector<std::vector<K::Point_3>>& polylines)
+{
+  std::ofstream out(path);
+  if (path.ends_with(".svg")) {
+    Scene scene;
+    scene.add(a, {150, 190, 235});
+    scene.add(b, {255, 190, 110});
+    for (const auto& polyline : polylines)
+      scene.add(polyline, "#c00020");
+    scene.write(out);
+  } else if (path.ends_with(".vtp"))
+    SC::IO::write_VTP(out, polylines);
+  else
+    for (const auto& polyline : polylines)
+      for (const K::Point_3& p : polyline)
+        out << p << (&p == &polyline.back() ? "\n\n" : "\n");
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    std::vector<std::string> files, words(argv + 1, argv + argc);
+    std::string output = "surface_intersection.svg";
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (words[i] == "--output" && i + 1 < words.size())
+        output = words[++i];
+      else
+        files.push_back(words[i]);
+    if (files.empty())
+      files = {DATA_DIRECTORY "surfaces/waves.g2", DATA_DIRECTORY "surfaces/ring.g2"};
+    if (files.size() != 2)
+      throw SC::Invalid_input("usage: surface_intersection [A B] [--output FILE.svg|FILE.vtp|FILE.txt]");
+    const Surface a = read_surface(files[0]), b = read_surface(files[1]);
+    const auto set = SC::intersection_curves(a, b);
+    std::vector<std::vector<K::Point_3>> polylines;
+    for (const SC::Intersection_curve& curve : set.curves()) {
+      polylines.push_back(set.polyline(curve, 1e-3));
+      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed" : "open") << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
+    }
+    write(output, a, b, polylines);
+    std::cout << set << '\n';
+    return set.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

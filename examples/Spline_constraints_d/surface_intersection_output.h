@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How surface_intersection draws: two surfaces as tiles in parallel projection, those behind first, with curves on them.
+#ifndef SURFACE_INTERSECTION_OUTPUT_H
+#define SURFACE_INTERSECTION_OUTPUT_H
+
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+class Scene
+{
+  using K = CGAL::Simple_cartesian<double>;
+  using Surface = CGAL::Spline_constraints::Bspline_surface_3<K>;
+
+  struct Patch
+  {
+    double depth;
+    std::vector<K::Point_2> corners;   // two of a chord
+    std::string color;
+  };
+
+  std::vector<Patch> m_patches;
+  CGAL::Bbox_2 m_box;
+
+  static constexpr int tiles = 24;   // per axis
+
+public:
+  void add(const Surface& surface, const std::array<double, 3>& color)
+  {
+    const auto point = [&](int i, int j) {
+      const auto at = [&](int axis, int k) { return surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * k / tiles; };
+      return surface(at(0, i), at(1, j));
+    };
+    for (int i = 0; i < tiles; ++i)
+      for (int j = 0; j < tiles; ++j) {
+        const std::vector<K::Point_3> corners{point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)};
+        const K::Vector_3 normal = CGAL::cross_product(corners[2] - corners[0], corners[3] - corners[1]);
+        const double light = std::abs(normal * K::Vector_3(0.2, -0.4, 0.9)) / std::sqrt(normal.squared_length());
+        add_patch(corners, shaded(color, 0.45 + 0.55 * light), 0);
+      }
+  }
+
+  // On the surfaces: nearer than their tiles.
+  void add(const std::vector<K::Point_3>& polyline, const std::string& color)
+  {
+    const double tile = (m_box.xmax() - m_box.xmin()) / tiles;
+    for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
+      add_patch({polyline[i], polyline[i + 1]}, color, 1.5 * tile);
+  }
+
+  void write(std::ostream& out)
+  {
+    const double margin = (m_box.xmax() - m_box.xmin()) / 40;
+    CGAL::Spline_constraints::SVG_writer picture(out, CGAL::Bbox_2(m_box.xmin() - margin, m_box.ymin() - margin, m_box.xmax() + margin, m_box.ymax() + margin), 640);
+    std::stable_sort(m_patches.begin(), m_patches.end(), [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
+    for (const Patch& patch : m_patches)
+      if (patch.corners.size() == 2)
+        picture.curve(CGAL::Spline_constraints::polyline_curve(patch.corners), patch.color, 3);
+      else
+        picture.polygon(patch.corners, patch.color);
+  }
+
+private:
+  static std::string shaded(const std::array<double, 3>& color, double light)
+  {
+    std::string result = "rgb(";
+    for (int i = 0; i < 3; ++i)
+      result += std::to_string(static_cast<int>(color[i] * light)) + (i < 2 ? "," : ")");
+    return result;
+  }
+
+  // The viewer looks from above, turned by 30 degrees.
+  void add_patch(const std::vector<K::Point_3>& corners, const std::string& color, double nearer)
+  {
+    constexpr double turn = 0.52, rise = 0.6, grid = 1024;
+    Patch patch{nearer, {}, color};
+    for (const K::Point_3& p : corners) {
+      const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(), away = std::sin(turn) * p.x() + std::cos(turn) * p.y();
+      patch.corners.emplace_back(std::round(grid * across) / grid, std::round(grid * (std::cos(rise) * p.z() + std::sin(rise) * away)) / grid);
+      patch.depth += (std::sin(rise) * p.z() - std::cos(rise) * away) / static_cast<double>(corners.size());
+      m_box += patch.corners.back().bbox();
+    }
+    m_patches.push_back(patch);
+  }
+};
+
+#endif // SURFACE_INTERSECTION_OUTPUT_H

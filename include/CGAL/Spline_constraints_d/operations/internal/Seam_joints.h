@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
+
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A part of an intersection curve without seams inside of it.
+*/
+struct Intersection_arc
+{
+  //! the index of the curve in `Surface_intersection::solutions()`.
+  std::size_t index;
+
+  //! whether it is passed from its end to its begin.
+  bool is_reversed;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A connected curve that two surfaces have in common.
+*/
+struct Intersection_curve
+{
+  //! its arcs, in order; each begins in the point where the one before ends.
+  std::vector<Intersection_arc> arcs;
+
+  //! whether the last arc ends where the first one begins.
+  bool is_closed;
+};
+
+namespace internal {
+
+/*
+Joins curves of solutions where they cross the seam of a closed surface.
+
+On the faces of the domain at both ends of a closed unknown, the equations have the same solutions. All of them are known, so if the box of a vertex on one face meets the box of just one vertex on the other face, and the other way
+round, the two are the same point: its vertex on the other face has a box that holds it too. What is not that clear is not joined.
+*/
+class Seam_joints
+{
+  const Curve_solution_set_d& m_set;
+  std::vector<std::size_t> m_point;                            // of each vertex, a vertex that is the same point in space
+  std::vector<std::vector<std::pair<std::size_t, int>>> m_ends;   // per such point: the curves that end there, and with which end
+  bool m_is_complete = true;
+
+public:
+  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns)
+    : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size())
+  {
+    std::iota(m_point.begin(), m_point.end(), 0);
+    for (const std::size_t unknown : closed_unknowns)
+      identify(unknown, system.domain(static_cast<int>(unknown)));
+    for (std::size_t i = 0; i < m_point.size(); ++i)
+      m_point[i] = root(i);
+    for (std::size_t c = 0; c < set.curves().size(); ++c)
+      for (const int side : {0, 1})
+        if (!set.curves()[c].is_closed)
+          m_ends[point_at(c, side)].emplace_back(c, side);
+  }
+
+  // Whether the points on both sides of all seams were matched.
+  bool is_complete() const { return m_is_complete; }
+
+  std::vector<Intersection_curve> curves() const
+  {
+    std::vector<Intersection_curve> result;
+    std::vector<bool> is_used(m_set.curves().size(), false);
+    const auto add = [&](std::size_t curve, int side) {
+      if (!is_used[curve])
+        result.push_back(chain(curve, side, is_used));
+    };
+    for (std::size_t c = 0; c < is_used.size(); ++c)   // first those with ends
+      for (const int side : {0, 1})
+        if (!m_set.curves()[c].is_closed && !goes_on(point_at(c, side)))
+          add(c, side);
+    for (std::size_t c = 0; c < is_used.size(); ++c)
+      add(c, 0);
+    return result;
+  }
+
+  // The points without curves, each once.
+  std::vector<std::size_t> points() const
+  {
+    std::vector<bool> is_taken(m_point.size(), false);
+    for (const Solution_curve& curve : m_set.curves())
+      for (const std::size_t i : curve.vertices())
+        is_taken[m_point[i]] = true;
+    std::vector<std::size_t> result;
+    for (const std::size_t i : m_set.points())
+      if (!is_taken[m_point[i]]) {
+        is_taken[m_point[i]] = true;
+        result.push_back(i);
+      }
+    return result;
+  }
+
+private:
+  std::size_t root(std::size_t i) const
+  {
+    while (m_point[i] != i)
+      i = m_point[i];
+    return i;
+  }
+
+  std::size_t point_at(std::size_t curve, int side) const
+  {
+    const std::vector<Curve_piece>& pieces = m_set.curves()[curve].pieces;
+    return m_point[side == 0 ? pieces.front().ends[0] : pieces.back().ends[1]];
+  }
+
+  // Two curves end there, neither in a singular point nor in an undecided region.
+  bool goes_on(std::size_t point) const
+  {
+    const auto is_it = [&](std::size_t i) { return m_point[i] == point; };
+    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular &&
+           std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) { return std::any_of(region.vertices.begin(), region.vertices.end(), is_it); });
+  }
+
+  Intersection_curve chain(std::size_t curve, int side, std::vector<bool>& is_used) const
+  {
+    Intersection_curve result{{}, m_set.curves()[curve].is_closed};
+    const std::pair<std::size_t, int> first(curve, side);
+    for (std::pair<std::size_t, int> begin = first;;) {
+      is_used[begin.first] = true;
+      result.arcs.push_back({begin.first, begin.second == 1});
+      const std::size_t point = point_at(begin.first, 1 - begin.second);
+      if (result.is_closed || !goes_on(point))
+        return result;
+      const std::pair end(begin.first, 1 - begin.second);
+      begin = m_ends[point][m_ends[point][0] == end ? 1 : 0];
+      if (begin == first) {
+        result.is_closed = true;
+        return result;
+      }
+    }
+  }
+
+  void identify(std::size_t unknown, const Constraint_system_d::Domain& range)
+  {
+    const std::vector<std::size_t> lower = on_face(unknown, range.first), upper = on_face(unknown, range.second);
+    for (const std::size_t i : lower) {
+      const std::vector<std::size_t> partners = meeting(i, upper, unknown);
+      if (partners.size() == 1 && meeting(partners[0], lower, unknown).size() == 1)
+        m_point[root(partners[0])] = root(i);
+      else
+        m_is_complete = false;
+    }
+    m_is_complete = m_is_complete && lower.size() == upper.size();
+  }
+
+  std::vector<std::size_t> on_face(std::size_t unknown, const Exact_rational& value) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < m_set.vertices().size(); ++i)
+      if (const auto& [lower, upper] = m_set.vertices()[i].box[unknown]; lower == value && upper == value)
+        result.push_back(i);
+    return result;
+  }
+
+  // Those of some vertices whose boxes meet that of another one, apart from one unknown.
+  std::vector<std::size_t> meeting(std::size_t vertex, const std::vector<std::size_t>& others, std::size_t unknown) const
+  {
+    const Curve_vertex::Exact_box& box = m_set.vertices()[vertex].box;
+    std::vector<std::size_t> result;
+    std::copy_if(others.begin(), others.end(), std::back_inserter(result), [&](std::size_t i) {
+      const Curve_vertex::Exact_box& other = m_set.vertices()[i].box;
+      for (std::size_t j = 0; j < box.size(); ++j)
+        if (j != unknown && (box[j].second < other[j].first || other[j].second < box[j].first))
+          return false;
+      return true;
+    });
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H

@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SURFACE_EQUATIONS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SURFACE_EQUATIONS_H
+
+#include <CGAL/Spline_constraints_d/function/internal/substitution.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Height_field.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The equations of the common points of two surfaces, in as few unknowns as there are simple ones:
+
+- a parametric surface S and an implicit one: f(S(u,v)) = 0;
+- two parametric ones: A(u,v) = B(s,t); two height fields over the same coordinates: the difference of the heights, in the parameters of the first one;
+- two implicit ones, and one that ends at its box within a parametric one: the coordinates are unknowns, behind the parameters.
+
+The parameters of a surface are affine functions of one unknown each.
+*/
+class Surface_equations
+{
+  using Equations = std::vector<Constraint>;
+
+  std::array<Surface_shape, 2> m_surfaces;
+  std::array<std::array<Affine_function, 2>, 2> m_parameters;   // of parametric surfaces
+  bool m_has_coordinates = false;
+  Parameter_box m_domain;
+  std::optional<Constraint_system_d> m_system;   // none: no common points
+
+public:
+  //! \throws Invalid_input when both surfaces are implicit and their boxes have no more than a face in common.
+  Surface_equations(Surface_shape first, Surface_shape second) : m_surfaces{std::move(first), std::move(second)}
+  {
+    if (are_apart())
+      return;
+    const std::optional<Height_difference> heights = height_difference();
+    if (heights) {
+      m_parameters = heights->parameters;
+      m_domain = heights->domain;
+    } else
+      number_unknowns();
+    if (std::all_of(m_domain.begin(), m_domain.end(), [](const Parameter_range& range) { return range.first <= range.second; }))
+      make_system(heights);
+  }
+
+  // Whether some boxes around the surfaces do not meet. There is no system then.
+  bool has_system() const { return m_system.has_value(); }
+  const Constraint_system_d& system() const { return *m_system; }
+
+  bool is_parametric(std::size_t surface) const { return m_surfaces[surface].patch.has_value(); }
+
+  // How a parameter of a surface depends on the unknowns. \pre It is parametric.
+  const Affine_function& parameter(std::size_t surface, int axis) const { return m_parameters[surface][axis]; }
+  Parameter_range parameter_domain(std::size_t surface, int axis) const { return m_surfaces[surface].patch->domain(axis); }
+
+  // The unknowns whose two ends are a seam.
+  std::vector<std::size_t> closed_unknowns() const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t surface = 0; surface < 2; ++surface)
+      for (int axis = 0; axis < 2; ++axis)
+        if (is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis))
+          result.push_back(m_parameters[surface][axis].unknown);
+    return result;
+  }
+
+  // The point in space where the unknowns have these values, exactly or in doubles.
+  template <class NT>
+  std::array<NT, 3> point(const std::vector<NT>& unknowns) const
+  {
+    if (m_has_coordinates)
+      return {unknowns[unknowns.size() - 3], unknowns[unknowns.size() - 2], unknowns[unknowns.size() - 1]};
+    const std::size_t surface = is_parametric(0) ? 0 : 1;
+    const std::vector<NT> parameters{m_parameters[surface][0](unknowns), m_parameters[surface][1](unknowns)};
+    return m_surfaces[surface].point(parameters);
+  }
+
+private:
+  bool are_apart() const
+  {
+    const auto first = m_surfaces[0].bounds(), second = m_surfaces[1].bounds();
+    for (int i = 0; first && second && i < 3; ++i)
+      if ((*first)[i].upper < (*second)[i].lower || (*second)[i].upper < (*first)[i].lower)
+        return true;
+    return false;
+  }
+
+  std::optional<Height_difference> height_difference() const
+  {
+    return is_parametric(0) && is_parametric(1) ? internal::height_difference(*m_surfaces[0].patch, *m_surfaces[1].patch) : std::nullopt;
+  }
+
+  // The parameters of the parametric surfaces, then the coordinates, if need be.
+  void number_unknowns()
+  {
+    m_has_coordinates = !is_parametric(0) && !is_parametric(1);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (is_parametric(k))
+        for (int axis = 0; axis < 2; ++axis) {
+          m_parameters[k][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
+          m_domain.push_back(parameter_domain(k, axis));
+        }
+      else if (is_parametric(1 - k) && m_surfaces[k].ends_within(*m_surfaces[1 - k].bounds()))
+        m_has_coordinates = true;
+    }
+    if (m_has_coordinates)
+      add_coordinates();
+  }
+
+  void add_coordinates()
+  {
+    for (int i = 0; i < 3; ++i) {
+      std::optional<Parameter_range> range;
+      for (const Surface_shape& surface : m_surfaces)
+        if (const auto bounds = surface.bounds()) {
+          const auto [lower, upper] = std::pair((*bounds)[i].lower, (*bounds)[i].upper);
+          range = range ? Parameter_range((std::max)(range->first, lower), (std::min)(range->second, upper)) : Parameter_range(lower, upper);
+        }
+      m_domain.push_back(*range);
+    }
+  }
+
+  void make_system(const std::optional<Height_difference>& heights)
+  {
+    std::vector<std::array<Bound, 2>> ranges;
+    for (const auto& [lower, upper] : m_domain)
+      ranges.push_back({Bound(lower), Bound(upper)});
+    const std::vector<Unknown> u = unknowns(ranges);
+    m_system.emplace(m_domain);
+    for (const Constraint& equation : heights ? heights->equations(u) : m_has_coordinates ? in_coordinates(u) : in_parameters(u))
+      m_system->add(equation);
+  }
+
+  Vector_expression<3> point_of(std::size_t surface, std::span<const Unknown> u) const
+  {
+    return Parametric_vector<3>(*m_surfaces[surface].patch)(u.subspan(m_parameters[surface][0].unknown, 2));
+  }
+
+  Equations in_parameters(std::span<const Unknown> u) const
+  {
+    if (is_parametric(0) && is_parametric(1))
+      return zero(point_of(0, u) - point_of(1, u));
+    const std::size_t surface = is_parametric(0) ? 0 : 1;
+    return {substituted(m_surfaces[1 - surface].polynomial, point_of(surface, u)) == 0};
+  }
+
+  Equations in_coordinates(std::span<const Unknown> u) const
+  {
+    const Vector_expression<3> x = vector_of<3>([&](std::size_t i) { return u[u.size() - 3 + i]; });
+    Equations result;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (is_parametric(k)) {
+        const Equations incidence = zero(point_of(k, u) - x);
+        result.insert(result.end(), incidence.begin(), incidence.end());
+      } else
+        result.push_back(substituted(m_surfaces[k].polynomial, x) == 0);
+    return result;
+  }
+
+  static Equations zero(const Vector_expression<3>& x) { return {x[0] == 0, x[1] == 0, x[2] == 0}; }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SURFACE_EQUATIONS_H

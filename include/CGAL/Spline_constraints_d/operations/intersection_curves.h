@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTION_CURVES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTION_CURVES_H
+
+#include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+template <class Surface>
+concept Surface_object = requires(const Surface& surface) { surface_shape(surface); };
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all curves that two surfaces have in common, with proofs of their number and of how they are connected; with a plane as one of the surfaces, plane sections and contour lines of the other one.
+
+Operands are taken exactly, and all is decided by `solve_curves()`: no closed curve is lost, however small, nothing is joined by distance. Of a parametric surface and a plane, sphere or other implicit surface \f$f = 0\f$ the equation is
+\f$f(S(u,v)) = 0\f$; of two parametric surfaces \f$A(u,v) = B(s,t)\f$, three equations in four unknowns, or one in two if both are polynomial height fields over the same two coordinates; of two implicit ones \f$f = g = 0\f$ in space. An
+implicit surface that ends at its box within the bounds of a parametric one adds the coordinates as unknowns.
+
+A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
+
+The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Other contacts are undecided, and
+so are pieces of surface that coincide, curves along an edge, seam or break, and what is near a pole that lies on the other surface.
+
+\tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel; `Implicit_surface_3` goes with any.
+\param a the first surface.
+\param b the second surface.
+\param options those of `solve_curves()`.
+\throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, the boxes of two implicit surfaces have no more than a face in common, or an option makes no sense.
+
+Complexity: that of `solve_curves()`; of splines with many pieces only those whose bounds meet are looked at. Source: seed 002.
+*/
+template <class A, class B>
+  requires internal::Surface_object<A> && internal::Surface_object<B>
+Surface_intersection<internal::Common_surface_kernel<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
+{
+  options.check();
+  internal::Surface_equations surfaces(internal::surface_shape(a), internal::surface_shape(b));
+  Curve_solution_set_d solutions = surfaces.has_system() ? solve_curves(surfaces.system(), options) : Curve_solution_set_d({}, {}, {}, {}, {}, Summary());
+  return {std::move(surfaces), std::move(solutions)};
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTION_CURVES_H
