@@ -123,12 +123,13 @@ public:
     const Plane_point& point = m_points[i];
     if (point.is_excluded)
       return false;
-    Constraint_system_d others = equalities_on(system, point.region);
+    const Exact_ranges region = clipped(point.region, system);
+    Constraint_system_d others = equalities_on(system, region);
     for (std::size_t k = 0; k < system.inequalities().size(); ++k)
       others.add(system.inequalities()[k].function, k == point.inequality ? Relation::EQUAL : system.inequalities()[k].relation);
     const auto axis = std::find(point.is_fixed.begin(), point.is_fixed.end(), true);
     const int unknown = static_cast<int>(axis - point.is_fixed.begin());
-    const Solution_set_d<double> found = solve(axis == point.is_fixed.end() ? others : internal::on_plane(others, point.region, unknown, point.region[unknown].first));
+    const Solution_set_d<double> found = solve(axis == point.is_fixed.end() ? others : internal::on_plane(others, region, unknown, region[unknown].first));
     if (found.empty() && found.is_complete())
       return false;
     return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
@@ -186,6 +187,14 @@ private:
       root.region[j] = {Exact_rational(found->lower[j]), Exact_rational(found->upper[j])};
     }
     return found.has_value();
+  }
+
+  // To the domain of a system.
+  static Exact_ranges clipped(Exact_ranges box, const Constraint_system_d& system)
+  {
+    for (int j = 0; j < system.dimension(); ++j)
+      box[j] = {(std::max)(box[j].first, system.domain(j).first), (std::min)(box[j].second, system.domain(j).second)};
+    return box;
   }
 
   static bool is_strict(Relation relation) { return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL; }
@@ -254,10 +263,7 @@ private:
     const Exact_rational fixed = near[axis].first;
     const int reduced = unknown - (unknown > axis ? 1 : 0);
     near.erase(near.begin() + axis);
-    for (int j = 0; j < plane.dimension(); ++j) {
-      near[j].first = (std::max)(near[j].first, plane.domain(j).first);
-      near[j].second = (std::min)(near[j].second, plane.domain(j).second);
-    }
+    near = clipped(std::move(near), plane);
     std::vector<Exact_ranges> result;
     const auto add = [&](Exact_ranges point) {
       point.insert(point.begin() + reduced, {value, value});

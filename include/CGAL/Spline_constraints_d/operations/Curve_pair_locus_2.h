@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Double_pair = std::array<double, 2>;
+
+// A point and the derivative of a curve.
+struct Curve_jet
+{
+  Double_pair point, tangent;
+};
+
+inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * b[1] - a[1] * b[0]; }
+inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+inline Curve_jet jet_at(const Differentiated_map& curve, double parameter)
+{
+  const Exact_rational t = (std::max)(curve.begin(), (std::min)(Exact_rational(parameter), curve.end()));
+  Curve_jet result;
+  const Exact_pair point = curve.at(0, t), tangent = curve.at(1, t);
+  for (std::size_t i = 0; i < 2; ++i) {
+    result.point[i] = to_nearest_double(point[i]);
+    result.tangent[i] = to_nearest_double(tangent[i]);
+  }
+  return result;
+}
+
+/*
+What is seen of two points of the plane from the north pole of the sphere that lies on the plane's origin, with a radius: far points are close to each other, and to the one at infinity.
+*/
+inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
+{
+  const double x = point[0] / (2 * radius), y = point[1] / (2 * radius), share = 1 / (1 + x * x + y * y);
+  if (!(share > 0))
+    return {0, 0, 2 * radius};
+  return {2 * radius * x * share, 2 * radius * y * share, 2 * radius * (1 - share)};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A point that belongs to one point on each of two curves.
+*/
+template <SplineKernel Kernel>
+struct Curve_pair_sample
+{
+  //! the point.
+  typename Kernel::Point_2 point;
+
+  //! the parameters of the two points.
+  std::array<double, 2> parameters;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+Curves in the plane whose points belong to one point on each of two curves: their bisector, for example. They are the solutions of an equation in both parameters, with a proved topology.
+
+A curve of the result ends where one of the parameters is at the end of a smooth part, in a singular point, or at infinity.
+
+\tparam Kernel a `SplineKernel`.
+*/
+template <SplineKernel Kernel>
+class Curve_pair_locus_2
+{
+public:
+  //! a point of a polyline.
+  using Sample = Curve_pair_sample<Kernel>;
+
+  //! the curves of two smooth parts.
+  struct Part
+  {
+    internal::Differentiated_map first, second;
+    Constraint_system_d system;
+    Curve_solution_set_d solutions;
+  };
+
+  //! one of the curves.
+  struct Arc
+  {
+    std::size_t part;
+    Solution_curve curve;   ///< in the plane of the parameters; vertices are those of the part's solutions
+  };
+
+  //! a point of the plane that belongs to two points, with the derivatives there.
+  using Point_of_pair = std::function<internal::Double_pair(const internal::Curve_jet&, const internal::Curve_jet&)>;
+
+private:
+  Point_of_pair m_point;
+  std::vector<Part> m_parts;
+  std::vector<Arc> m_arcs;
+  std::vector<Curve_vertex> m_singular_points;
+  std::vector<Undecided_region> m_undecided;
+  std::size_t m_poles = 0;
+  Summary m_summary;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  explicit Curve_pair_locus_2(Point_of_pair point) : m_point(std::move(point)) {}
+
+  // The solutions for two smooth parts, and those where the point is at infinity.
+  void add(const internal::Differentiated_map& first, const internal::Differentiated_map& second, const Constraint_system_d& system, const Curve_solution_set_d& solutions,
+           const std::vector<Solution_d<double>>& points_at_infinity)
+  {
+    std::vector<Curve_vertex::Exact_box> poles, rest;
+    for (const Solution_d<double>& point : points_at_infinity)
+      (point.is_certified() ? poles : rest).push_back(point.exact_box());
+    const std::size_t multiple = rest.size();
+    m_parts.push_back({first, second, system, internal::Curve_cuts(solutions)(poles, rest)});
+    const Curve_solution_set_d& set = m_parts.back().solutions;
+    for (const Solution_curve& curve : set.curves())
+      m_arcs.push_back({m_parts.size() - 1, curve});
+    for (const std::size_t i : set.singular_points())
+      m_singular_points.push_back(set.vertices()[i]);
+    m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
+    for (const Curve_vertex::Exact_box& box : rest)
+      m_undecided.push_back({{box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+    m_poles += poles.size() + multiple - rest.size();
+    m_summary.nodes += set.summary().nodes;
+    m_summary.seconds += set.summary().seconds;
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty();
+  }
+
+  void add_work(const Summary& work)
+  {
+    m_summary.nodes += work.nodes;
+    m_summary.seconds += work.seconds;
+    m_summary.is_complete = m_summary.is_complete && work.is_complete;
+  }
+#endif
+
+  //! the curves, one after the other by smooth parts.
+  const std::vector<Arc>& curves() const { return m_arcs; }
+
+  //! number of closed curves.
+  std::size_t number_of_closed_curves() const
+  {
+    return static_cast<std::size_t>(std::count_if(m_arcs.begin(), m_arcs.end(), [](const Arc& arc) { return arc.curve.is_closed; }));
+  }
+
+  //! number of curves that are not closed.
+  std::size_t number_of_open_curves() const { return m_arcs.size() - number_of_closed_curves(); }
+
+  //! where curves cross in the plane of the parameters, or isolated solutions.
+  const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
+
+  //! where nothing is proved.
+  const std::vector<Undecided_region>& undecided() const { return m_undecided; }
+
+  //! how often a curve goes to infinity and comes back from the other side: two ends each.
+  std::size_t number_of_poles() const { return m_poles; }
+
+  //! whether these are all solutions, by proof.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the work.
+  const Summary& summary() const { return m_summary; }
+
+  //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
+  bool ends_at_infinity(const Arc& arc, int side) const
+  {
+    const Curve_piece& piece = side == 0 ? arc.curve.pieces.front() : arc.curve.pieces.back();
+    return !arc.curve.is_closed && is_at_infinity(arc, piece.ends[side]);
+  }
+
+  /*!
+  points along a curve, so many that it passes the middles of their chords at no more than a given distance. Far from the origin a larger distance will do: all is seen in the stereographic projection to a sphere
+  of the given radius. Ends at infinity are left out.
+  \param arc one of the curves.
+  \param error the distance; positive.
+  \param radius the distance from the origin from which on less precision is needed; positive.
+  \throws Invalid_input when a distance is not positive.
+  */
+  std::vector<Sample> polyline(const Arc& arc, double error, double radius) const
+  {
+    if (!(error > 0) || !(radius > 0))
+      throw Invalid_input("Curve_pair_locus_2: the error and the radius must be positive");
+    const Part& part = m_parts[arc.part];
+    const auto seen = [&](const std::vector<double>& parameters) { return internal::on_sphere(point(part, parameters), radius); };
+    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(seen(from), seen(between), seen(to)) <= error; };
+    std::vector<std::vector<double>> points = internal::curve_points(part.system, part.solutions, arc.curve, is_chord);
+    if (ends_at_infinity(arc, 0))
+      points.erase(points.begin());
+    if (ends_at_infinity(arc, 1))
+      points.pop_back();
+    std::vector<Sample> result;
+    for (const std::vector<double>& parameters : points) {
+      const auto [x, y] = point(part, parameters);
+      result.push_back({typename Kernel::Point_2(x, y), {parameters[0], parameters[1]}});
+    }
+    return result;
+  }
+
+private:
+  bool is_at_infinity(const Arc& arc, std::size_t vertex) const { return m_poles > 0 && m_parts[arc.part].solutions.vertices()[vertex].is_on_inequality; }
+
+  internal::Double_pair point(const Part& part, const std::vector<double>& parameters) const
+  {
+    return m_point(internal::jet_at(part.first, parameters[0]), internal::jet_at(part.second, parameters[1]));
+  }
+};
+
+//! \ingroup PkgSplineConstraintsDOperations
+//! writes one line: the numbers of curves, singular points and undecided regions.
+template <SplineKernel Kernel>
+std::ostream& operator<<(std::ostream& out, const Curve_pair_locus_2<Kernel>& locus) { return internal::write_counts(out, locus); }
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
