@@ -36,7 +36,7 @@ the bisector of two curves, untrimmed: all centers of circles that touch both of
 
 With the chord \f$d = C_1(u) - C_2(v)\f$, both normals meet the perpendicular bisector of the two points in the same point if
 \f[ \langle C_1', d\rangle\,(C_2' \times d) + \langle C_2', d\rangle\,(C_1' \times d) = 0, \f]
-which is equation (20) of seed 001 with the center from (21) and (22) put in. It has no denominators. Where \f$C_1' \times d = C_2' \times d = 0\f$ but \f$d \neq 0\f$ the line through both points touches both curves, and the center is at infinity: these pairs are solved for and
+which is equation (20) of \cgalCite{kes-gcps-05} with the center from (21) and (22) put in. It has no denominators. Where \f$C_1' \times d = C_2' \times d = 0\f$ but \f$d \neq 0\f$ the line through both points touches both curves, and the center is at infinity: these pairs are solved for and
 certified, and the curves are cut there.
 
 The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own. Ends of the curves and corners are not taken for sites here. Where two curves intersect, two branches of the bisector
@@ -48,7 +48,7 @@ cross: a singular point, if the intersection is transversal and inside of both. 
 \param options those of `solve_curves()`; limits hold for each two parts.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: that of `solve_curves()` with one equation in two unknowns and of `solve()` with two, for each two smooth parts. Source: seed 001, section 3.
+Complexity: that of `solve_curves()` with one equation in two unknowns and of `solve()` with two, for each two smooth parts. Source: \cgalCite{kes-gcps-05}, section 3.
 */
 template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> bisector_curves(const C1& c1, const C2& c2, const Solver_options& options = {.tolerance = 1e-8})

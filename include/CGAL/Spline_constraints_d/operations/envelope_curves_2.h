@@ -37,7 +37,7 @@ result. Where a derivative is zero, and where parts of both curves are straight 
 \param options those of `solve_curves()`; limits hold for each two parts.
 \throws Invalid_input when an option makes no sense.
 
-Complexity: that of `solve_curves()` with one equation in two unknowns, for each two smooth parts. Source: seed 001, section 2, equations (1) to (3).
+Complexity: that of `solve_curves()` with one equation in two unknowns, for each two smooth parts. Source: \cgalCite{kes-gcps-05}, section 2, equations (1) to (3).
 */
 template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& c2, Tangent_directions directions = Tangent_directions::SAME, const Solver_options& options = {.tolerance = 1e-8})

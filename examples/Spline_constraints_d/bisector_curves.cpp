@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The bisector of two planar curves, untrimmed: all points at the same distance from both along their normals, the poles where it goes to infinity included.
+//
+//   bisector_curves [A B]
+//
+// A and B are files of GoTools (.g2) or IRIT (.itd), the first planar curve of each counts; without them, two cubics are taken. Writes bisector_curves.svg. Exit status: 0 when nothing is undecided, 3 when
+// something is, 2 for bad input.
+#include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
+#include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Curve = SC::Bspline_curve_2<K>;
+
+Curve read_curve(const std::string& path)
+{
+  const auto file = path.ends_with(".g2") ? SC::IO::read_g2<K>(path) : SC::IO::read_IRIT<K>(path);
+  if (file.curves_2.empty())
+    throw SC::Invalid_input(path + ": no planar curve");
+  return file.curves_2.front().object;
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    if (argc != 1 && argc != 3)
+      throw SC::Invalid_input("usage: bisector_curves [A B]");
+    const Curve a = argc == 3 ? read_curve(argv[1]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, 3}, {-1, -5}, {1, 5}, {3, -1}});
+    const Curve b = argc == 3 ? read_curve(argv[2]) : SC::bezier_curve(std::vector<K::Point_2>{{-3, -3}, {0, -1}, {1, -5}, {4, -3}});
+    const auto bisector = SC::bisector_curves(a, b);
+
+    const CGAL::Bbox_2 box = a.bbox() + b.bbox();
+    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+    const CGAL::Bbox_2 window(box.xmin() - size / 4, box.ymin() - size / 20, box.xmax() + size / 20, box.ymax() + size / 20);
+    std::ofstream file("bisector_curves.svg");
+    SC::SVG_writer picture(file, window, 700);
+    const char* const colours[] = {"#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b"};
+    std::size_t index = 0;
+    for (const auto& arc : bisector.curves()) {
+      const auto samples = bisector.polyline(arc, 1e-3 * size, 2 * size);
+      std::vector<K::Point_2> points;
+      for (const auto& sample : samples) {
+        if (points.size() % 12 == 6 && CGAL::do_overlap(sample.point.bbox(), window))   // the radii of some circles that touch both curves
+          picture.curve(SC::polyline_curve(std::vector<K::Point_2>{a(sample.parameters[0]), sample.point, b(sample.parameters[1])}), "#bbb", 1);
+        points.push_back(sample.point);
+      }
+      std::cout << "curve " << ++index << "  " << (arc.curve.is_closed ? "closed" : "open") << ", parameters (" << samples.front().parameters[0] << ", " << samples.front().parameters[1] << ") to ("
+                << samples.back().parameters[0] << ", " << samples.back().parameters[1] << ")" << (bisector.ends_at_infinity(arc, 0) || bisector.ends_at_infinity(arc, 1) ? ", to infinity" : "") << '\n';
+      picture.curve(SC::polyline_curve(points), colours[(index - 1) % 6], 2);
+    }
+    picture.curve(a, "black", 4);
+    picture.curve(b, "black", 4);
+    std::cout << bisector << '\n';
+    return bisector.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}
