@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Simple_arcs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/arc_directions.h>
 #include <CGAL/Spline_constraints_d/operations/internal/meeting_boxes.h>
 
 #include <algorithm>
@@ -40,10 +41,13 @@ public:
     for (const Spline_patch<d>& part : m_arcs.others())
       result.push_back(all_pairs_of(part));
     std::vector<Spline_patch<d>> patches;
-    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+    std::vector<Exact_vector<d>> chords;
+    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
       patches.push_back(m_arcs[i]);
+      chords.push_back(chord_of(m_arcs[i]));
+    }
     for (const auto& [i, j] : pairs_with_meeting_boxes(patches))
-      if (!m_arcs.are_apart(i, j))
+      if (!m_arcs.are_apart(i, j) && !are_separated<d>(m_arcs[i], m_arcs[j], chords[i], chords[j]))
         for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
           result.push_back(on_whole_curve(std::move(point), {i, j}));
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });

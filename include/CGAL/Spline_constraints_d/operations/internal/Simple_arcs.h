@@ -5,10 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SIMPLE_ARCS_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Spline_constraints_d/operations/internal/arc_directions.h>
 
 #include <algorithm>
 #include <array>
@@ -21,105 +19,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-template <int d>
-using Exact_vector = std::array<Exact_rational, d>;
-
-template <int d>
-Exact_rational exact_product(const Exact_vector<d>& a, const Exact_vector<d>& b)
-{
-  Exact_rational result(0);
-  for (int i = 0; i < d; ++i)
-    result += Exact_rational(a[i] * b[i]);
-  return result;
-}
-
-// Whether <C, direction> increases strictly along a curve of one piece: its derivative is nowhere negative, and not zero everywhere.
-template <int d>
-bool is_increasing(const Spline_patch<d>& arc, const Exact_vector<d>& direction)
-{
-  Exact_function height = arc.numerators()[0] * direction[0];
-  for (int i = 1; i < d; ++i)
-    if (direction[i] != 0)
-      height = height + arc.numerators()[i] * direction[i];
-  const Exact_function slope = arc.is_rational() ? height.derivative(0) * arc.weight() - height * arc.weight().derivative(0) : height.derivative(0);
-  const auto [least, greatest] = slope.bounds();
-  return least >= 0 && greatest > 0;
-}
-
-template <int d>
-std::vector<Exact_vector<d>> axis_directions()
-{
-  std::vector<Exact_vector<d>> result;
-  for (int i = 0; i < d; ++i)
-    for (const int sign : {1, -1}) {
-      result.emplace_back().fill(Exact_rational(0));
-      result.back()[i] = Exact_rational(sign);
-    }
-  return result;
-}
-
-// From one end of a curve to the other, scaled so that the largest coordinate is 1.
-template <int d>
-Exact_vector<d> chord_of(const Spline_patch<d>& arc)
-{
-  const auto [begin, end] = arc.domain(0);
-  const Exact_vector<d> from = arc(std::array{begin}), to = arc(std::array{end});
-  Exact_vector<d> result;
-  Exact_rational largest(0);
-  for (int i = 0; i < d; ++i) {
-    result[i] = Exact_rational(to[i] - from[i]);
-    largest = (std::max)(largest, Exact_rational(CGAL::abs(result[i])));
-  }
-  if (largest > 0)
-    for (Exact_rational& coordinate : result)
-      coordinate /= largest;
-  return result;
-}
-
-// A vector with positive inner products with both, unless they are opposite or zero.
-template <int d>
-Exact_vector<d> direction_between(const Exact_vector<d>& a, const Exact_vector<d>& b)
-{
-  const Exact_rational product = exact_product<d>(a, b), a_factor(exact_product<d>(b, b) - product), b_factor(exact_product<d>(a, a) - product);
-  Exact_vector<d> result;
-  for (int i = 0; i < d; ++i)
-    result[i] = Exact_rational(a[i] * a_factor + b[i] * b_factor);
-  return exact_product<d>(result, a) > 0 ? result : a;   // zero if they are parallel
-}
-
-/*
-Whether C' = 0 somewhere on a polynomial curve, and det(C''(s), C'''(t)) has the same sign for all s and t, in the plane of two coordinates. Such a curve has one cusp C(c), and does not meet itself: by Taylor's
-formula det(C''(c), C'(t)) is the integral of (t - r) det(C''(c), C'''(r)) from c to t, so that C moves strictly to one side of its tangent in the cusp.
-*/
-template <int d>
-bool has_simple_cusp(const Spline_patch<d>& arc, Summing_solver& solve)
-{
-  if (arc.is_rational())
-    return false;
-  Vector_bounds<d> second, third;
-  for (int i = 0; i < d; ++i) {
-    const Exact_function derivative = arc.numerators()[i].derivative(0).derivative(0);
-    second[i] = Rational_interval(derivative.bounds());
-    third[i] = Rational_interval(derivative.derivative_bounds(0));
-  }
-  bool has_one_sign = false;
-  for (int i = 0; i < d; ++i)
-    for (int k = 0; k < i; ++k) {
-      const Rational_interval determinant = second[i] * third[k] - second[k] * third[i];
-      has_one_sign = has_one_sign || determinant.lower > 0 || determinant.upper < 0;
-    }
-  if (!has_one_sign)
-    return false;
-  const auto [begin, end] = arc.domain(0);
-  const std::vector<Unknown> t = unknowns({std::array<Bound, 2>{Bound(begin), Bound(end)}});
-  const Vector_expression<d> tangent = Parametric_vector<d>(arc).tangent(0)(t);
-  std::vector<Constraint> constraints;
-  for (int i = 0; i < d; ++i)
-    if (const Constraint constraint = tangent[i] == 0; !constraint.function.is_zero())
-      constraints.push_back(constraint);
-  return solve(constraints).count(Solution_kind::CERTIFIED) == 1;
-}
 
 // A part of a curve, on one polynomial or rational piece.
 template <int d>
@@ -137,7 +36,7 @@ a common end that are left together are a simple arc, if there is a direction in
 template <int d>
 class Simple_arcs
 {
-  static constexpr int most_cuts = 24, most_trials = 24;   // of parts that shrink by 29/64 or 35/64
+  static constexpr int most_cuts = 20, most_regular_cuts = 6, most_trials = 20;   // of parts that shrink by 29/64 or 35/64
   using Range = Parameter_range;
 
   Summing_solver& m_solve;
@@ -198,7 +97,8 @@ private:
     const bool is_simple = std::any_of(directions.begin(), directions.end(), [&](const auto& direction) { return is_increasing<d>(piece, direction); }) || has_simple_cusp(piece, m_solve);
     if (!is_simple && cuts > 0 && !piece.is_one_point()) {
       const Range range = piece.domain(0);
-      const Exact_rational cut(range.first + first_part(range));
+      const auto stop = cuts + most_regular_cuts == most_cuts ? place_of_stop(piece) : std::nullopt;
+      const Exact_rational cut = stop ? *stop : Exact_rational(range.first + first_part(range));
       add_arcs(piece.part(0, {range.first, cut}), cuts - 1);
       add_arcs(piece.part(0, {cut, range.second}), cuts - 1);
       return;
@@ -206,6 +106,16 @@ private:
     m_arcs.push_back({piece, m_arcs.size()});
     if (!is_simple)
       m_others.push_back(piece);
+  }
+
+  // Where the curve stops, such as in a cusp, or to turn back, if that is one rational parameter inside of a short piece.
+  std::optional<Exact_rational> place_of_stop(const Spline_patch<d>& piece)
+  {
+    const auto zeros = zeros_of_derivative<d>(piece, m_solve);
+    if (zeros.size() != 1)
+      return std::nullopt;
+    const Range zero = zeros[0].exact_box()[0], range = piece.domain(0);
+    return zero.first == zero.second && range.first < zero.first && zero.first < range.second ? std::optional(zero.first) : std::nullopt;
   }
 
   // Somewhat less than half of a range: in the middle of symmetric curves there are points that would be cut.
