@@ -51,10 +51,25 @@ public:
         for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
           result.push_back(on_whole_curve(std::move(point), {i, j}));
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
+    remove_repetitions(result);
     return result;
   }
 
 private:
+  // Where arcs touch in their ends, more than one pair of arcs may have found that, or it is an end of an overlap.
+  static void remove_repetitions(std::vector<Common_point>& points)
+  {
+    const auto is_contact = [](const Common_point& x) { return x.kind == Intersection_kind::TANGENT && !has_extent(x.parameters); };
+    points.erase(std::unique(points.begin(), points.end(), [&](const Common_point& x, const Common_point& y) { return is_contact(x) && is_contact(y) && x.parameters == y.parameters; }), points.end());
+    std::vector<Parameter_box> overlaps;
+    for (const Common_point& point : points)
+      if (point.kind == Intersection_kind::OVERLAP)
+        overlaps.push_back(point.parameters);
+    std::erase_if(points, [&](const Common_point& x) {
+      return is_contact(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) { return contains(overlap, x.parameters); });
+    });
+  }
+
   bool has_next(std::size_t arc) const { return m_arcs.next(arc).has_value(); }
 
   // A part that is not simple. If it is a point, all pairs of its parameters stand for it.

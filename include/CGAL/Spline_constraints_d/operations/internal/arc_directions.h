@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_ARC_DIRECTIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_ARC_DIRECTIONS_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
@@ -19,18 +20,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-template <int d>
-using Exact_vector = std::array<Exact_rational, d>;
-
-template <int d>
-Exact_rational exact_product(const Exact_vector<d>& a, const Exact_vector<d>& b)
-{
-  Exact_rational result(0);
-  for (int i = 0; i < d; ++i)
-    result += Exact_rational(a[i] * b[i]);
-  return result;
-}
-
 // The inner product of a curve with a direction, times the weight.
 template <int d>
 Exact_function height_of(const Spline_patch<d>& arc, const Exact_vector<d>& direction)
@@ -40,12 +29,6 @@ Exact_function height_of(const Spline_patch<d>& arc, const Exact_vector<d>& dire
     if (direction[i] != 0)
       result = result + arc.numerators()[i] * direction[i];
   return result;
-}
-
-inline Exact_vector<3> exact_cross(const Exact_vector<3>& a, const Exact_vector<3>& b)
-{
-  const auto minor = [&](int i, int k) { return Exact_rational(a[i] * b[k] - a[k] * b[i]); };
-  return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
 // Whether <C, direction> increases strictly along a curve of one piece: its derivative is nowhere negative, and not zero everywhere.
@@ -92,11 +75,11 @@ Exact_vector<d> chord_of(const Spline_patch<d>& arc)
 template <int d>
 Exact_vector<d> direction_between(const Exact_vector<d>& a, const Exact_vector<d>& b)
 {
-  const Exact_rational product = exact_product<d>(a, b), a_factor(exact_product<d>(b, b) - product), b_factor(exact_product<d>(a, a) - product);
+  const Exact_rational product = exact_dot(a, b), a_factor(exact_dot(b, b) - product), b_factor(exact_dot(a, a) - product);
   Exact_vector<d> result;
   for (int i = 0; i < d; ++i)
     result[i] = Exact_rational(a[i] * a_factor + b[i] * b_factor);
-  return exact_product<d>(result, a) > 0 ? result : a;   // zero if they are parallel
+  return exact_dot(result, a) > 0 ? result : a;   // zero if they are parallel
 }
 
 // Whether a line or plane is proved to lie between two curves. It is parallel to the chord of one of them, in space to both.
