@@ -56,17 +56,18 @@ public:
   }
 
 private:
-  // Where arcs touch in their ends, more than one pair of arcs may have found that, or it is an end of an overlap.
+  // Where arcs touch in their ends, more than one pair of arcs may have found that; or it is on an overlap, such as an end of it.
   static void remove_repetitions(std::vector<Common_point>& points)
   {
-    const auto is_contact = [](const Common_point& x) { return x.kind == Intersection_kind::TANGENT && !has_extent(x.parameters); };
-    points.erase(std::unique(points.begin(), points.end(), [&](const Common_point& x, const Common_point& y) { return is_contact(x) && is_contact(y) && x.parameters == y.parameters; }), points.end());
+    const auto is_one = [](const Common_point& x) { return x.kind != Intersection_kind::OVERLAP && x.kind != Intersection_kind::UNDECIDED; };
+    const auto are_same = [&](const Common_point& x, const Common_point& y) { return is_one(x) && is_one(y) && x.parameters == y.parameters && !has_extent(x.parameters); };
+    points.erase(std::unique(points.begin(), points.end(), are_same), points.end());
     std::vector<Parameter_box> overlaps;
     for (const Common_point& point : points)
-      if (point.kind == Intersection_kind::OVERLAP)
+      if (point.kind == Intersection_kind::OVERLAP && point.solution && !point.solution->ends().empty())
         overlaps.push_back(point.parameters);
     std::erase_if(points, [&](const Common_point& x) {
-      return is_contact(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) { return contains(overlap, x.parameters); });
+      return is_one(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) { return contains(overlap, x.parameters); });
     });
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SIMPLE_ARCS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SIMPLE_ARCS_H
 
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/internal/arc_directions.h>
@@ -108,14 +109,15 @@ private:
       m_others.push_back(piece);
   }
 
-  // Where the curve stops, such as in a cusp, or to turn back, if that is one rational parameter inside of a short piece.
+  // Where the curve stops, such as in a cusp, or to turn back, if that is inside of a piece. Rounded to the simplest number, which is the place itself where it is rational.
   std::optional<Exact_rational> place_of_stop(const Spline_patch<d>& piece)
   {
     const auto zeros = zeros_of_derivative<d>(piece, m_solve);
     if (zeros.size() != 1)
       return std::nullopt;
     const Range zero = zeros[0].exact_box()[0], range = piece.domain(0);
-    return zero.first == zero.second && range.first < zero.first && zero.first < range.second ? std::optional(zero.first) : std::nullopt;
+    const Exact_rational place = simplest_rational_between(zero.first, zero.second);
+    return range.first < place && place < range.second ? std::optional(place) : std::nullopt;
   }
 
   // Somewhat less than half of a range: in the middle of symmetric curves there are points that would be cut.
