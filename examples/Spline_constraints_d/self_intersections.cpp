@@ -19,14 +19,14 @@ using Curve = SC::Bspline_curve_2<K>;
 
 int main()
 {
-  const std::vector<K::Point_2> points{{0, 0}, {6, 7}, {12, 2}, {5, -3}, {1, 4}, {7, 8}, {10, -3}, {2, -4}, {-2, 3}, {5, 5}, {13, 6}, {6, -1}};
+  const std::vector<K::Point_2> points{{7, 1}, {-7, 4}, {4, -6}, {-1, 8}, {-3, -8}, {6, 5}, {-8, -2}};
   std::vector<K::FT> period;
   for (std::size_t i = 0; i <= points.size(); ++i)
     period.push_back(K::FT(static_cast<int>(i)));
   const Curve curve = Curve::from_periodic(3, period, points);
 
   std::ofstream file("self_intersections.svg");
-  SC::SVG_writer picture(file, CGAL::Bbox_2(-2, -5, 12, 8), 640);
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-3.5, -3.9, 3, 3.2), 640);
   picture.curve(curve, "#4b6a88", 2);
 
   int from_right = 0;
@@ -40,7 +40,7 @@ int main()
   }
 
   const std::string summary = std::to_string(crossings.size()) + " crossings, " + std::to_string(from_right) + " from the right (orange); complete: " + (crossings.is_complete() ? "yes" : "no");
-  picture.label(K::Point_2(-1.8, -4.8), summary);
+  picture.label(K::Point_2(-3.4, -3.8), summary);
   std::cout << summary << '\n';
   return crossings.is_complete() && crossings.count(SC::Intersection_kind::TRANSVERSAL) == crossings.size() ? 0 : 1;
 }
