@@ -86,10 +86,10 @@ void count_self_intersections(benchmark::State& state, const Curve& curve)
   state.counters["nodes"] = static_cast<double>(nodes);
 }
 
-// x = t^2 - 1, y = t (t^2 - 1) for t in [-2,2].
+// Three times x = t^2 - 1, y = t (t^2 - 1) for t in [-2,2].
 void nodal_cubic_with_itself(benchmark::State& state)
 {
-  count_self_intersections(state, SC::bezier_curve(std::vector<K::Point_2>{{3, -6}, {-5, 10}, {-5, -10}, {3, 6}}));
+  count_self_intersections(state, SC::bezier_curve(std::vector<K::Point_2>{{9, -18}, {-7, 26}, {-7, -26}, {9, 18}}));
 }
 
 void spline_with_itself(benchmark::State& state)
