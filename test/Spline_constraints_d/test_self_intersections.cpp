@@ -183,6 +183,12 @@ TEST(Self_intersections, AnIrrationalCuspOfARationalCurveIsUndecided)
     EXPECT_LT(answer.parameter(1) - answer.parameter(0), 1e-3);
 }
 
+// Two parabolas that touch in the common end of two pieces, where the curve turns back.
+TEST(Self_intersections, TurningBackAtABreak)
+{
+  expect_pairs(Curve(2, {R(0), R(0), R(0), R(1), R(1), R(2), R(2), R(2)}, {{4, 16}, {2, 0}, {0, 0}, {2, 0}, {4, -16}}), {});
+}
+
 TEST(Self_intersections, Overlaps)
 {
   for (const Curve& curve : {polyline({{0, 0}, {1, 1}, {0, 0}}), polyline({{0, 0}, {2, 2}, {1, 1}}), polyline({{0, 0}, {4, 0}, {4, 1}, {2, 0}, {-1, 0}})}) {
