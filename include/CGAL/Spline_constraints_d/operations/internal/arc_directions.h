@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,15 +22,28 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// The sum, without taking splines on the same knots apart.
+inline Exact_function quick_sum(const Exact_function& a, const Exact_function& b)
+{
+  if (a.degree(0) != b.degree(0) || a.knots(0) != b.knots(0))
+    return a + b;
+  std::vector<Exact_rational> coefficients = a.coefficients();
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
+    coefficients[k] += b.coefficients()[k];
+  return Exact_function(a.degrees(), {a.knots(0)}, std::move(coefficients));
+}
+
 // The inner product of a curve with a direction, times the weight.
 template <int d>
 Exact_function height_of(const Spline_patch<d>& arc, const Exact_vector<d>& direction)
 {
-  Exact_function result = arc.numerators()[0] * direction[0];
-  for (int i = 1; i < d; ++i)
-    if (direction[i] != 0)
-      result = result + arc.numerators()[i] * direction[i];
-  return result;
+  std::optional<Exact_function> result;
+  for (int i = 0; i < d; ++i)
+    if (direction[i] != 0) {
+      const Exact_function term = arc.numerators()[i] * direction[i];
+      result = result ? quick_sum(*result, term) : term;
+    }
+  return result ? *result : arc.numerators()[0] * Exact_rational(0);
 }
 
 // Whether <C, direction> increases strictly along a curve of one piece: its derivative is nowhere negative, and not zero everywhere.
