@@ -39,7 +39,7 @@ int main()
     std::cout << x.kind() << " at " << x.parameter(0) << " and " << x.parameter(1) << ", near (" << CGAL::to_double(x.point().x()) << ", " << CGAL::to_double(x.point().y()) << ")\n";
   }
 
-  const std::string summary = std::to_string(crossings.size()) + " crossings, " + std::to_string(from_right) + " from the right (orange); complete: " + (crossings.is_complete() ? "yes" : "no");
+  const std::string summary = std::to_string(crossings.size()) + " crossings; at " + std::to_string(from_right) + " (orange) the later branch comes from the right; complete: " + (crossings.is_complete() ? "yes" : "no");
   picture.label(K::Point_2(-3.4, -3.8), summary);
   std::cout << summary << '\n';
   return crossings.is_complete() && crossings.count(SC::Intersection_kind::TRANSVERSAL) == crossings.size() ? 0 : 1;

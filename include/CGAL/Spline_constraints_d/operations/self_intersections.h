@@ -38,8 +38,8 @@ Each pair comes once, also on knots. Where the curve passes through a point thre
 with the lower end of the domain.
 
 The curve is cut into arcs that are proved not to meet themselves, since the curve goes on along some direction, and so that successive arcs are proved to meet only in their common end. All others are intersected as by
-`intersections()`, if their boxes meet, and what is said there of kinds holds here as well. In addition, a common point at a corner of the curve that counts once for the two arcs that begin there is `TANGENT`, since the curve may
-turn back. An `OVERLAP` is a piece of the curve that another piece runs over, in either direction, in parts between cuts; or a piece on which the curve rests in one point, with this piece as both ranges.
+`intersections()`, if their boxes meet, and what is said there of kinds holds here as well. In addition, a common point that is a corner of the curve is `TANGENT`, whether the branches cross there or not. An `OVERLAP` is a piece of the
+curve that another piece runs over, in either direction, in parts between cuts, whose ends may be reported once more; or a piece on which the curve rests in one point, with this piece as both ranges.
 
 A cusp \f$C'(t) = 0\f$ is no self-intersection. This is proved for ordinary cusps (\f$C''\f$ and \f$C'''\f$ linearly independent) inside of polynomial pieces; others, and a point where the curve turns back,
 are left as a short piece that is `UNDECIDED`, with this piece as both ranges, or, at a break, as a pair of parameters that may be equal.
