@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/internal/arc_directions.h>
 #include <CGAL/Spline_constraints_d/operations/internal/meeting_boxes.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
 
 #include <algorithm>
 #include <array>
@@ -40,22 +41,32 @@ public:
     std::vector<Common_point> result;
     for (const Spline_patch<d>& part : m_arcs.others())
       result.push_back(all_pairs_of(part));
-    std::vector<Spline_patch<d>> patches;
-    std::vector<Exact_vector<d>> chords;
-    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
-      patches.push_back(m_arcs[i]);
-      chords.push_back(chord_of(m_arcs[i]));
-    }
-    for (const auto& [i, j] : pairs_with_meeting_boxes(patches))
-      if (!m_arcs.are_apart(i, j) && !are_separated<d>(m_arcs[i], m_arcs[j], chords[i], chords[j]))
-        for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
-          result.push_back(on_whole_curve(std::move(point), {i, j}));
+    for (const auto& [i, j] : pairs_that_may_meet())
+      for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
+        result.push_back(on_whole_curve(std::move(point), {i, j}));
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     remove_repetitions(result);
     return result;
   }
 
 private:
+  // The arcs that are not proved to be apart, the lower one first.
+  std::vector<Index_pair> pairs_that_may_meet() const
+  {
+    std::vector<Spline_patch<d>> patches;
+    std::vector<Exact_vector<d>> chords;
+    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
+      patches.push_back(m_arcs[i]);
+      chords.push_back(chord_of(m_arcs[i]));
+    }
+    std::vector<Index_pair> result = pairs_with_meeting_boxes(patches);
+    std::erase_if(result, [&](const Index_pair& pair) {
+      const auto& [i, j] = pair;
+      return m_arcs.are_apart(i, j) || are_separated<d>(patches[i], patches[j], chords[i], chords[j]);
+    });
+    return result;
+  }
+
   // Where arcs touch in their ends, more than one pair of arcs may have found that; or it is on an overlap, such as an end of it.
   static void remove_repetitions(std::vector<Common_point>& points)
   {
