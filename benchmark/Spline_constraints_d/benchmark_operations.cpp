@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, and of two splines with many pieces; curves of solutions.
+// Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many pieces, and of splines and polylines with themselves; curves of
+// solutions.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/self_intersections.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -72,6 +74,36 @@ void spline_with_spline(benchmark::State& state)
   state.counters["intersections"] = static_cast<double>(points);
 }
 
+void count_self_intersections(benchmark::State& state, const Curve& curve)
+{
+  std::size_t points = 0, nodes = 0;
+  for (auto _ : state) {
+    const auto result = SC::self_intersections(curve);
+    points = result.size();
+    nodes = result.summary().nodes;
+  }
+  state.counters["intersections"] = static_cast<double>(points);
+  state.counters["nodes"] = static_cast<double>(nodes);
+}
+
+// Three times x = t^2 - 1, y = t (t^2 - 1) for t in [-2,2].
+void nodal_cubic_with_itself(benchmark::State& state)
+{
+  count_self_intersections(state, SC::bezier_curve(std::vector<K::Point_2>{{9, -18}, {-7, 26}, {-7, -26}, {9, 18}}));
+}
+
+void spline_with_itself(benchmark::State& state)
+{
+  std::mt19937 generator(1);
+  count_self_intersections(state, random_spline(static_cast<int>(state.range(0)), generator));
+}
+
+void polyline_with_itself(benchmark::State& state)
+{
+  std::mt19937 generator(1);
+  count_self_intersections(state, SC::polyline_curve(random_walk(static_cast<std::size_t>(state.range(0)) + 1, generator)));
+}
+
 // T_d(x) T_d(y) = 1/2.
 void chebyshev_contours(benchmark::State& state)
 {
@@ -110,5 +142,8 @@ void sphere_and_cylinder(benchmark::State& state)
 
 BENCHMARK(segments_with_segments)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(spline_with_spline)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(nodal_cubic_with_itself)->Unit(benchmark::kMillisecond);
+BENCHMARK(spline_with_itself)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(polyline_with_itself)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(chebyshev_contours)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_and_cylinder)->ArgName("2c")->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);

@@ -141,6 +141,20 @@ TEST(Pairwise_intersections, of_curves_in_space)
     EXPECT_LT(CGAL::squared_distance(pair.intersections[0].point(), pair.second == 3 ? Kernel::Point_3(0, 0, 1) : Kernel::Point_3(0, 0, 0)), 1e-24);
 }
 
+TEST(Pairwise_intersections, with_those_of_each_curve_with_itself)
+{
+  const Curve loop = SC::bezier_curve(std::vector<Point>{{0, 0}, {3, 2}, {-2, 2}, {1, 0}});
+  const std::vector<Curve> curves{segment(0, 5, 1, 5), loop, segment(-1, 0.25, 2, 0.25)};
+  const auto result = SC::pairwise_intersections(curves, {}, SC::Self_intersections::INCLUDED);
+  EXPECT_TRUE(result.summary.is_complete);
+  ASSERT_EQ(result.pairs.size(), 2u);
+  EXPECT_TRUE(result.pairs[0].first == 1 && result.pairs[0].second == 1);
+  expect_equal(result.pairs[0].intersections, SC::self_intersections(loop));
+  EXPECT_EQ(result.pairs[0].intersections.size(), 1u);
+  EXPECT_TRUE(result.pairs[1].first == 1 && result.pairs[1].second == 2);
+  EXPECT_EQ(SC::pairwise_intersections(curves).pairs.size(), 1u);
+}
+
 TEST(Pairwise_intersections, of_splines_with_many_pieces_leave_out_most_pairs_of_pieces)
 {
   // Each of the 60 lines that go up and down crosses each of the 60 that go left and right once, all at points that are no knots.

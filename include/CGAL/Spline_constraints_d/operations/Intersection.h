@@ -51,7 +51,7 @@ struct Common_point
   Parameter_box parameters;
   std::vector<bool> is_at_end;
   std::optional<Solution_d<double>> solution;
-  bool is_repeated;   // on the seam of a closed operand, where a lower parameter stands for the same point
+  bool is_repeated;   // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
 };
 
 } // namespace internal

@@ -5,11 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_PAIRWISE_INTERSECTIONS_H
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/meeting_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/intersections.h>
-
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
+#include <CGAL/Spline_constraints_d/operations/self_intersections.h>
 
 #include <algorithm>
 #include <concepts>
@@ -25,12 +23,19 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-Two curves of a collection that meet, or may meet.
+Whether the intersections of a collection of curves include those of each curve with itself.
+*/
+enum class Self_intersections { EXCLUDED, INCLUDED };
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+Two curves of a collection that meet, or may meet; or a curve and itself.
 */
 template <SplineKernel Kernel, int d>
 struct Intersecting_pair
 {
-  //! the positions of the two curves in the collection; with two collections, each in its own.
+  //! the positions of the two curves in the collection; with two collections, each in its own. The same ones where a curve meets itself.
   std::size_t first, second;
   //! where they meet; never empty.
   Intersections<Kernel, d> intersections;
@@ -53,9 +58,6 @@ struct Pairwise_intersections
 
 namespace internal {
 
-template <class Curve>
-concept Parametric_curve = ParametricCurve_2<Curve> || ParametricCurve_3<Curve>;
-
 template <class Range>
 concept Range_of_curves = std::ranges::input_range<Range> && Parametric_curve<std::ranges::range_value_t<Range>>;
 
@@ -64,15 +66,8 @@ template <class Curve>
 class Pairwise_intersector
 {
   using Kernel = typename Curve::Kernel;
-  static constexpr int d = ParametricCurve_2<Curve> ? 2 : 3;
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, d, std::size_t>;
-  using Pair = std::pair<std::size_t, std::size_t>;
-
-  struct Collection
-  {
-    std::vector<Spline_patch<d>> patches;
-    std::vector<Box> boxes;
-  };
+  static constexpr int d = Spline_operand<Curve>::dimension;
+  using Patches = std::vector<Spline_patch<d>>;
 
   Solver_options m_options;
 
@@ -80,56 +75,45 @@ public:
   explicit Pairwise_intersector(const Solver_options& options) : m_options(options) { m_options.check(); }
 
   template <class Concurrency_tag, class Range>
-  Pairwise_intersections<Kernel, d> within(Range&& range) const
+  Pairwise_intersections<Kernel, d> within(Range&& range, Self_intersections self_intersections) const
   {
-    Collection curves = collected(range);
-    std::vector<Pair> pairs;
-    CGAL::box_self_intersection_d(curves.boxes.begin(), curves.boxes.end(), [&](const Box& a, const Box& b) { pairs.push_back(std::minmax(a.info(), b.info())); });
-    return intersected<Concurrency_tag>(std::move(pairs), curves, curves);
+    const Patches curves = collected(range);
+    std::vector<Index_pair> pairs = pairs_with_meeting_boxes(curves);
+    if (self_intersections == Self_intersections::INCLUDED) {
+      for (std::size_t i = 0; i < curves.size(); ++i)
+        pairs.emplace_back(i, i);
+      std::sort(pairs.begin(), pairs.end());
+    }
+    return intersected<Concurrency_tag>(pairs, [&](const Index_pair& pair) {
+      return pair.first == pair.second ? self_intersections_of<Kernel, d>(curves[pair.first], m_options)
+                                       : intersections_of<Kernel, d>(Patch_pair<d>(curves[pair.first], curves[pair.second]), m_options);
+    });
   }
 
   template <class Concurrency_tag, class Range, class Other_range>
   Pairwise_intersections<Kernel, d> between(Range&& range, Other_range&& others) const
   {
-    Collection first = collected(range), second = collected(others);
-    std::vector<Pair> pairs;
-    CGAL::box_intersection_d(first.boxes.begin(), first.boxes.end(), second.boxes.begin(), second.boxes.end(),
-                             [&](const Box& a, const Box& b) { pairs.emplace_back(a.info(), b.info()); });
-    return intersected<Concurrency_tag>(std::move(pairs), first, second);
+    const Patches first = collected(range), second = collected(others);
+    return intersected<Concurrency_tag>(pairs_with_meeting_boxes(first, second), [&](const Index_pair& pair) {
+      return intersections_of<Kernel, d>(Patch_pair<d>(first[pair.first], second[pair.second]), m_options);
+    });
   }
 
 private:
   template <class Range>
-  static Collection collected(Range&& range)
+  static Patches collected(Range&& range)
   {
-    Collection result;
-    for (const Curve& curve : range) {
-      result.patches.emplace_back(curve);
-      result.boxes.push_back(box_of(result.patches.back(), result.boxes.size()));
-    }
+    Patches result;
+    for (const Curve& curve : range)
+      result.emplace_back(curve);
     return result;
   }
 
-  // Closed boxes that hold the curve, so that curves that only touch are a pair.
-  static Box box_of(const Spline_patch<d>& curve, std::size_t index)
+  template <class Concurrency_tag, class Intersect>
+  static Pairwise_intersections<Kernel, d> intersected(const std::vector<Index_pair>& pairs, const Intersect& intersect)
   {
-    const Vector_bounds<d> bounds = curve.values();
-    double lower[d], upper[d];
-    for (int i = 0; i < d; ++i) {
-      lower[i] = to_double_interval(bounds[i].lower).first;
-      upper[i] = to_double_interval(bounds[i].upper).second;
-    }
-    return Box(lower, upper, index);
-  }
-
-  template <class Concurrency_tag>
-  Pairwise_intersections<Kernel, d> intersected(std::vector<Pair> pairs, const Collection& first, const Collection& second) const
-  {
-    std::sort(pairs.begin(), pairs.end());
     std::vector<std::optional<Intersections<Kernel, d>>> answers(pairs.size());
-    parallel_for<Concurrency_tag>(pairs.size(), [&](std::size_t i, std::size_t) {
-      answers[i] = intersections_of<Kernel, d>(Patch_pair<d>(first.patches[pairs[i].first], second.patches[pairs[i].second]), m_options);
-    });
+    parallel_for<Concurrency_tag>(pairs.size(), [&](std::size_t i, std::size_t) { answers[i] = intersect(pairs[i]); });
     Pairwise_intersections<Kernel, d> result;
     result.summary.is_complete = true;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -146,22 +130,24 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all intersections between each two curves of a collection, such as the paths of a drawing. Intersections of a curve with itself are not looked for.
+all intersections between each two curves of a collection, such as the paths of a drawing; on request also those of each curve with itself, as pairs of a curve with itself.
 
-Only pairs whose bounding boxes meet are solved (`CGAL::box_self_intersection_d()`), and in a pair of splines only pieces whose bounds meet. The answers are those of `intersections()` for each pair.
+Only pairs whose bounding boxes meet are solved (`CGAL::box_self_intersection_d()`), and in a pair of splines only pieces whose bounds meet. The answers are those of `intersections()` for each pair,
+and those of `self_intersections()`.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand pairs to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`, or of `ParametricCurve_3`.
 \param curves the curves.
 \param options those of the solver; limits hold for each pair alone.
+\param self_intersections whether those of each curve with itself are found too.
 \throws Invalid_input when the weight of a curve is not proved to have one sign, or an option makes no sense.
 
 Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of boxes that meet, and the systems of these pairs.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, internal::Range_of_curves Range>
-auto pairwise_intersections(const Range& curves, const Solver_options& options = {})
+auto pairwise_intersections(const Range& curves, const Solver_options& options = {}, Self_intersections self_intersections = Self_intersections::EXCLUDED)
 {
-  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template within<Concurrency_tag>(curves);
+  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template within<Concurrency_tag>(curves, self_intersections);
 }
 
 /*!

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CURVE_PIECES_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 
 #include <CGAL/number_utils.h>
 
@@ -18,10 +19,8 @@ namespace Spline_constraints {
 namespace internal {
 
 using Planar_map = Spline_map<1, 2>;
-using Exact_pair = std::array<Exact_rational, 2>;
+using Exact_pair = Exact_vector<2>;
 
-inline Exact_rational exact_cross(const Exact_pair& a, const Exact_pair& b) { return Exact_rational(a[0] * b[1] - a[1] * b[0]); }
-inline Exact_rational exact_dot(const Exact_pair& a, const Exact_pair& b) { return Exact_rational(a[0] * b[0] + a[1] * b[1]); }
 inline int sign_of(const Exact_rational& x) { return static_cast<int>(CGAL::sign(x)); }
 
 // A part of a curve, with some of its derivatives.

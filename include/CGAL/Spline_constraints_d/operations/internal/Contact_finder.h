@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTACT_FINDER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTACT_FINDER_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
@@ -19,17 +20,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Exact_vector = std::array<Exact_rational, 3>;
-
-inline Exact_vector exact_cross(const Exact_vector& a, const Exact_vector& b)
-{
-  Exact_vector result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = Exact_rational(a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]);
-  return result;
-}
-
-inline bool are_orthogonal(const Exact_vector& a, const Exact_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] == 0; }
+inline bool are_orthogonal(const Exact_vector<3>& a, const Exact_vector<3>& b) { return exact_dot(a, b) == 0; }
 
 // A polynomial piece of a surface, the upper ends of its ranges that do not belong to it, and its edges (axis, side) that are poles and do not belong to it either.
 struct Contact_piece
@@ -44,8 +35,8 @@ struct Smooth_pole
 {
   Parameter_box parameters;   // all that stand for it
   int axis;                   // the one that is fixed
-  Exact_vector point;
-  std::array<Exact_vector, 2> tangents;
+  Exact_vector<3> point;
+  std::array<Exact_vector<3>, 2> tangents;
 };
 
 // The ranges between breaks. Unless there is a crease, the end of a range is the begin of the next one.
@@ -64,7 +55,7 @@ inline std::vector<Axis_part> polynomial_ranges(const Spline_patch<3>& surface, 
 }
 
 // Two vectors that span what the derivatives across a pole span, if that is a plane.
-inline std::optional<std::array<Exact_vector, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis, int side)
+inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis, int side)
 {
   const std::vector<Exact_rational> breaks = surface.breaks(axis);
   const Parameter_range cell = side == 0 ? Parameter_range(breaks[0], breaks[1]) : Parameter_range(breaks[breaks.size() - 2], breaks.back());
@@ -73,16 +64,16 @@ inline std::optional<std::array<Exact_vector, 2>> tangents_at_pole(const Spline_
   int degree = 0;
   for (const Exact_function& f : tangent)
     degree = (std::max)(degree, f.degree(0));
-  std::vector<Exact_vector> values;   // as many as determine a polynomial on each piece
+  std::vector<Exact_vector<3>> values;   // as many as determine a polynomial on each piece
   for (std::size_t i = 1; i < along.size(); ++i)
     for (int k = 0; k <= degree; ++k) {
       const std::array<Exact_rational, 1> u{Exact_rational(along[i - 1] + (along[i] - along[i - 1]) * (2 * k + 1) / (2 * degree + 2))};
       values.push_back({tangent[0](u), tangent[1](u), tangent[2](u)});
     }
-  for (const Exact_vector& other : values)
-    if (const Exact_vector normal = exact_cross(values[0], other); normal != Exact_vector{}) {
-      const bool is_plane = std::all_of(values.begin(), values.end(), [&](const Exact_vector& x) { return are_orthogonal(normal, x); });
-      return is_plane ? std::optional(std::array<Exact_vector, 2>{values[0], other}) : std::nullopt;
+  for (const Exact_vector<3>& other : values)
+    if (const Exact_vector<3> normal = exact_cross(values[0], other); normal != Exact_vector<3>{}) {
+      const bool is_plane = std::all_of(values.begin(), values.end(), [&](const Exact_vector<3>& x) { return are_orthogonal(normal, x); });
+      return is_plane ? std::optional(std::array<Exact_vector<3>, 2>{values[0], other}) : std::nullopt;
     }
   return std::nullopt;
 }
@@ -291,7 +282,7 @@ private:
     const std::vector<Unknown> u = equations.unknowns();
     std::vector<Constraint> constraints = equations.constraints(u, {piece.is_without_end[0], piece.is_without_end[1]});
     const Vector_expression<3> normal = equations.normal(1, u);
-    for (const Exact_vector& tangent : pole.tangents)
+    for (const Exact_vector<3>& tangent : pole.tangents)
       constraints.push_back(dot(normal, Vector_expression<3>(tangent[0], tangent[1], tangent[2])) == 0);
     if (!u.empty())
       exclude_poles(piece, u, constraints);
@@ -311,7 +302,7 @@ private:
 
   void find_contact_of(const Smooth_pole& a, const Smooth_pole& b)
   {
-    const Exact_vector normal = exact_cross(a.tangents[0], a.tangents[1]);
+    const Exact_vector<3> normal = exact_cross(a.tangents[0], a.tangents[1]);
     if (a.point != b.point || !are_orthogonal(normal, b.tangents[0]) || !are_orthogonal(normal, b.tangents[1]))
       return;
     Common_point point{Intersection_kind::TANGENT, a.parameters, std::vector<bool>(4, false), std::nullopt, false};

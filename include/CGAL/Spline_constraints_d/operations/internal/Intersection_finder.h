@@ -119,7 +119,7 @@ private:
 
   Common_point classified(const Answer& answer)
   {
-    Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution, is_on_upper_seam(answer.parameters)};
+    Common_point result{kind_of(answer.solution), answer.parameters, none(), answer.solution, is_repeated_at_end(answer.parameters)};
     const std::optional<std::size_t> surface = result.kind == Intersection_kind::OVERLAP ? set_pole(result) : std::nullopt;
     if (!surface && !is_one_point(answer.solution))
       return result;
@@ -139,17 +139,17 @@ private:
   {
     if (point.kind != Intersection_kind::TANGENT)
       point.kind = Intersection_kind::END_POINT;
-    const bool is_alone = point.kind == Intersection_kind::END_POINT || (point.solution && point.solution->multiplicity() == 2);   // other clusters may hold more
+    const bool is_alone = point.kind == Intersection_kind::END_POINT || (point.solution && (point.solution->multiplicity() == 2 || !has_extent(point.solution->exact_box())));   // other clusters may hold more
     point.parameters[end.parameter] = {end.value, end.value};
     point.is_at_end[end.parameter] = true;
-    point.is_repeated = point.is_repeated || (is_alone && is_on_upper_seam(point.parameters));
+    point.is_repeated = point.is_repeated || (is_alone && is_repeated_at_end(point.parameters));
   }
 
-  // All parameters on the upper end of a closed operand.
-  bool is_on_upper_seam(const Parameter_box& parameters) const
+  // At the upper end of a parameter whose points are found elsewhere.
+  bool is_repeated_at_end(const Parameter_box& parameters) const
   {
     const std::vector<Parameter_end> ends = m_pair.ends();
-    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) { return end.is_upper && is_at(parameters, end) && m_pair.is_closed(end.parameter); });
+    return std::any_of(ends.begin(), ends.end(), [&](const Parameter_end& end) { return end.is_upper && is_at(parameters, end) && m_pair.is_repeated_at_end(end.parameter); });
   }
 
   static bool is_at(const Parameter_box& parameters, const Parameter_end& end)

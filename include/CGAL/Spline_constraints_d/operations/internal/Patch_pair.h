@@ -32,9 +32,11 @@ template <int d>
 class Patch_pair
 {
   std::array<Spline_patch<d>, 2> m_patches;
+  std::array<bool, 2> m_is_open{};
 
 public:
-  Patch_pair(Spline_patch<d> first, Spline_patch<d> second) : m_patches{std::move(first), std::move(second)} {}
+  // An open operand is a part of a curve whose end belongs to the next part.
+  Patch_pair(Spline_patch<d> first, Spline_patch<d> second, const std::array<bool, 2>& is_open = {}) : m_patches{std::move(first), std::move(second)}, m_is_open(is_open) {}
 
   const Spline_patch<d>& operator[](std::size_t operand) const { return m_patches[operand]; }
 
@@ -69,7 +71,12 @@ public:
   // The number of a parameter on its operand.
   int axis_of(std::size_t parameter) const { return static_cast<int>(parameter - first_parameter(operand_of(parameter))); }
 
-  bool is_closed(std::size_t parameter) const { return m_patches[operand_of(parameter)].is_closed(axis_of(parameter)); }
+  // Whether the points at the upper end of a parameter are found elsewhere: at the lower end of a closed operand, or on the next part of a curve.
+  bool is_repeated_at_end(std::size_t parameter) const
+  {
+    const std::size_t operand = operand_of(parameter);
+    return m_is_open[operand] || m_patches[operand].is_closed(axis_of(parameter));
+  }
 
   // The point that an edge of a surface consists of, if it is a pole.
   std::optional<Spline_patch<d>> pole(const Parameter_end& end) const
@@ -116,6 +123,12 @@ inline Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
 inline bool has_interior(const Parameter_box& box)
 {
   return std::all_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.first < range.second; });
+}
+
+// Whether it is more than one point.
+inline bool has_extent(const Parameter_box& box)
+{
+  return std::any_of(box.begin(), box.end(), [](const Parameter_range& range) { return range.first < range.second; });
 }
 
 // A box of parameters, without the upper ends of some of its ranges.

@@ -14,6 +14,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+template <class Curve>
+concept Parametric_curve = ParametricCurve_2<Curve> || ParametricCurve_3<Curve>;
+
 // A point, curve or surface: how many parameters it has, in which space and kernel, and itself in exact numbers.
 template <class Object>
 struct Spline_operand;
