@@ -3,6 +3,7 @@
 
 // Intersections with implicit curves and surfaces against exact answers.
 
+#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
@@ -164,6 +165,37 @@ TEST(Locus_intersections, ThreeImplicitSurfaces)
   const auto corner = SC::intersections(SC::segment_curve(K::Point_3(1, 1, -3), K::Point_3(1, 1, 3)), sphere, cylinder);
   expect_complete(corner, 2);
   EXPECT_EQ(points_of(corner, Kind::TRANSVERSAL), (Points_3{{1, 1, -1.414213562}, {1, 1, 1.414213562}}));
+}
+
+// A sign, and nothing beyond the box; a point that misses by little is not on it.
+TEST(Locus_intersections, PointsAndImplicit)
+{
+  const SC::Implicit_curve_2 upper_half(x * x + y * y - 1, {{{-9, 9}, {0, 9}}});
+  const K::FT little = K::FT(1) / K::FT(1e40);
+  const auto on = SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(4) / 5), upper_half);
+  expect_complete(on, 1);
+  EXPECT_EQ(points_of(on, Kind::TRANSVERSAL), (Points{{0.6, 0.8}}));
+  EXPECT_EQ(on[0].multiplicity(), 1);
+  EXPECT_FALSE(on[0].is_at_end(0));
+  expect_complete(SC::intersections(upper_half, K::Point_2(0, 1)), 1);
+  expect_complete(SC::intersections(upper_half, K::Point_2(1, 0)), 1);
+  expect_complete(SC::intersections(upper_half, K::Point_2(0, -1)), 0);
+  expect_complete(SC::intersections(K::Point_2(little, 1), upper_half), 0);
+  const auto sphere = SC::to_implicit(K::Sphere_3(K::Point_3(0, 0, 0), 9));
+  expect_complete(SC::intersections(K::Point_3(2, -1, 2), sphere), 1);
+  expect_complete(SC::intersections(K::Point_3(2, -1, 2 + little), sphere), 0);
+}
+
+// The offset of a circle of radius 2 by 1 to the left, which is inwards.
+TEST(Locus_intersections, PointsAndOffset)
+{
+  const SC::Offset_curve_2 offset(SC::circle_curve(K::Point_2(0, 0), K::FT(2)), 1);
+  const auto on = SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(4) / 5), offset);
+  expect_complete(on, 1);
+  EXPECT_EQ(points_of(on, Kind::TRANSVERSAL), (Points{{0.6, 0.8}}));
+  EXPECT_NEAR(on[0].parameter(1), 0.5, 1e-12);   // of ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2))
+  expect_complete(SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(3) / 5), offset), 0);
+  expect_complete(SC::intersections(K::Point_2(1, 0), offset), 1);   // its seam
 }
 
 // Random curves of degree three through a random rational point, and random polynomials that vanish there: the point is found once, at its parameter.
