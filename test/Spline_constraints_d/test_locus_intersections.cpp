@@ -198,6 +198,27 @@ TEST(Locus_intersections, PointsAndOffset)
   expect_complete(SC::intersections(K::Point_2(1, 0), offset), 1);   // its seam
 }
 
+// A limit is one for all pieces together: when it is used up, what remains is undecided.
+TEST(Locus_intersections, LimitsOfTheWhole)
+{
+  std::vector<K::Point_2> points;
+  for (int i = 0; i < 9; ++i)
+    points.emplace_back(2 * i - 8, i % 2 == 0 ? 5 : -5);
+  const SC::Offset_curve_2 offset(SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6}, points), Exact_rational(1) / 4);
+  const SC::Implicit_curve_2 line(y - x / 9, wide);
+  const auto all = SC::intersections(offset, line);
+  EXPECT_TRUE(all.is_complete());
+  EXPECT_EQ(all.count(Kind::TRANSVERSAL), 7u);
+  const std::size_t nodes = all.summary().nodes, pieces = 6;
+  for (const std::size_t limit : {std::size_t(1), nodes / 4, nodes / 2}) {
+    const auto cut_off = SC::intersections(offset, line, {.node_limit = limit});
+    EXPECT_FALSE(cut_off.is_complete());
+    EXPECT_GT(cut_off.count(Kind::UNDECIDED), 0u);
+    EXPECT_LE(cut_off.summary().nodes, limit + pieces);
+  }
+  EXPECT_TRUE(SC::intersections(offset, line, {.time_limit = 1000, .node_limit = nodes + 1}).is_complete());
+}
+
 // Random curves of degree three through a random rational point, and random polynomials that vanish there: the point is found once, at its parameter.
 TEST(Locus_intersections, PlantedPoints)
 {

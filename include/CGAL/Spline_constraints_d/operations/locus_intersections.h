@@ -232,7 +232,7 @@ lies on an implicit one, or in an implicit surface.
 \tparam A,B models of `Locus`, `CGAL::Point_2`, `CGAL::Point_3`, `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` in the same space; at least one a `Locus`. The codimensions add up to that of a point, or more.
 \param a the first operand.
 \param b the second operand.
-\param options those of the solver; limits hold for each pair of smooth pieces.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense, a coordinate is not finite, or a weight is not proved to have one sign.
 
 Complexity: that of one system for each pair of smooth pieces; and of smaller ones for ends of curves, if common points are near. Source: the classification of intersections by rational, procedural

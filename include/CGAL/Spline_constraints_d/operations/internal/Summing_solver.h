@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Solves the systems of one operation, and adds up the work.
+// Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together.
 class Summing_solver
 {
-  Subdivision_solver_d<Certified_solver_traits> m_solver;
+  Solver_options m_options;
   Summary m_total;
 
 public:
-  explicit Summing_solver(const Solver_options& options) : m_solver(options) {}
+  explicit Summing_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
 
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
 
@@ -42,8 +42,19 @@ public:
 private:
   Solution_set_d<double> solve(const Constraint_system_d& system)
   {
-    Solution_set_d<double> result = m_solver(system);
+    Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(remaining_options())(system);
     m_total += result.summary();
+    return result;
+  }
+
+  // With what is left of the limits, a little at least: zero would be no limit.
+  Solver_options remaining_options() const
+  {
+    Solver_options result = m_options;
+    if (m_options.time_limit > 0)
+      result.time_limit = (std::max)(m_options.time_limit - m_total.seconds, 1e-9);
+    if (m_options.node_limit > 0)
+      result.node_limit = m_total.nodes < m_options.node_limit ? m_options.node_limit - m_total.nodes : 1;
     return result;
   }
 };
