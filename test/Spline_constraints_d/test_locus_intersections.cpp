@@ -208,7 +208,7 @@ TEST(Locus_intersections, LimitsOfTheWhole)
   const SC::Implicit_curve_2 line(y - x / 9, wide);
   const auto all = SC::intersections(offset, line);
   EXPECT_TRUE(all.is_complete());
-  EXPECT_EQ(all.count(Kind::TRANSVERSAL), 7u);
+  EXPECT_EQ(all.count(Kind::TRANSVERSAL), 8u);   // once between each two of the nine control points
   const std::size_t nodes = all.summary().nodes, pieces = 6;
   for (const std::size_t limit : {std::size_t(1), nodes / 4, nodes / 2}) {
     const auto cut_off = SC::intersections(offset, line, {.node_limit = limit});

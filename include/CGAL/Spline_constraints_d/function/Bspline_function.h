@@ -235,6 +235,8 @@ public:
     const Axis& own = at(axis);
     if (!(own.begin() <= begin && begin < end && end <= own.end()))
       throw Invalid_input("Bspline_function: the part to restrict axis " + std::to_string(axis) + " to is empty or not within the domain");
+    if (own.is_clamped() && begin == own.begin() && end == own.end())
+      return *this;
     Breaks breaks{{begin, 1}};
     for (const auto& entry : internal::breaks_of(own))
       if (begin < entry.value && entry.value < end)
@@ -428,10 +430,9 @@ private:
     return result;
   }
 
-  // Whether the first and last control points along each axis are those of its ends.
   bool is_clamped() const
   {
-    return std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& axis) { return axis.knots.front() == axis.begin() && axis.knots.back() == axis.end(); });
+    return std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& axis) { return axis.is_clamped(); });
   }
 
   // On the same knots, control points are combined.

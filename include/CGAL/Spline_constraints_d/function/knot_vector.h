@@ -32,6 +32,9 @@ struct Knot_axis
   const NT& begin() const { return knots[degree]; }
   const NT& end() const { return knots[size()]; }
 
+  // Whether the first and last control points are those of the ends of the domain.
+  bool is_clamped() const { return knots.front() == begin() && knots.back() == end(); }
+
   friend bool operator==(const Knot_axis&, const Knot_axis&) = default;
 };
 

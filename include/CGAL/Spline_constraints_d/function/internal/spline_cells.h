@@ -60,13 +60,6 @@ inline std::vector<int> first_of_cell(std::vector<int> cell, const std::vector<i
   return cell;
 }
 
-// Whether control points are the Bézier points of the only cell.
-template <class NT>
-bool is_bezier(const Knot_axis<NT>& axis)
-{
-  return axis.size() == static_cast<std::size_t>(axis.degree) + 1 && axis.knots.front() == axis.begin() && axis.knots.back() == axis.end();
-}
-
 // The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is as fine as the knots at least.
 template <class NT>
 std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT>>& axes, std::vector<NT> data, const Break_grid<NT>& breaks)
@@ -76,7 +69,7 @@ std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT
     degrees.push_back(axis.degree);
   const std::vector<int> stacked = stacked_extents(degrees, breaks);
   for (std::size_t j = 0; j < axes.size(); ++j) {
-    if (!(breaks[j].size() == 2 && is_bezier(axes[j])))
+    if (breaks[j].size() > 2 || !axes[j].is_clamped())   // else they are the Bézier points already
       data = transform_axis(data, axis_view(extent, j), extraction_matrix(axes[j], breaks[j]));
     extent[j] = stacked[j];
   }

@@ -173,7 +173,10 @@ private:
   {
     if (are_apart(pieces[0].patch, pieces[1].patch))
       return;
-    const Coincidence<3> equations(Patch_pair<3>(pieces[0].patch, pieces[1].patch));
+    const Patch_pair<3> patches(pieces[0].patch, pieces[1].patch);
+    if (m_solve.is_out_of_time())
+      return add(Intersection_kind::UNDECIDED, patches.domain(), std::nullopt);
+    const Coincidence<3> equations(patches);
     if (const std::size_t plane = equations.has_eliminated(0) ? 0 : 1; equations.has_eliminated(plane))
       find_contacts_with_plane(equations, plane, pieces[1 - plane]);
     else if (const auto without_cap = without_undecided_cap(pieces))
