@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Intersections of planar Bezier curves, and a few polynomial systems: this package beside the programs that users would take instead, in one run on one machine. Prints tables
+// Intersections of planar Bezier curves, operations in space, and a few polynomial systems: this package beside the programs that users would take instead, in one run on one machine. Prints tables
 // in Markdown. Names of problems on the command line select them.
 #include "curve_intersection.h"
 #include "curve_problems.h"
+#include "operation_problems.h"
 #include "repeated_runs.h"
 #include "system_problems.h"
 
@@ -21,14 +22,18 @@
 namespace peers {
 namespace {
 
+template <class Function>
 struct Program
 {
   std::string name;
-  Run (*intersect)(const Bezier_curve&, const Bezier_curve&);   // null where it is not installed
+  Function* run;   // null where it is not installed
 };
 
+using Curve_program = Program<Run(const Bezier_curve&, const Bezier_curve&)>;
+using Operation_program = Program<Run(const Operation_problem&)>;
+
 // This package first.
-std::vector<Program> programs()
+std::vector<Curve_program> curve_programs()
 {
   return {{"this package", intersect_with_spline_constraints},
 #ifdef PEERS_SISL
@@ -50,6 +55,22 @@ std::vector<Program> programs()
           {"CGAL " PEERS_CGAL ", `Arr_Bezier_curve_traits_2`", intersect_with_bezier_traits}
 #else
           {"CGAL, `Arr_Bezier_curve_traits_2`", nullptr}
+#endif
+  };
+}
+
+std::vector<Operation_program> operation_programs()
+{
+  return {{"this package", operate_with_spline_constraints},
+#ifdef PEERS_SISL
+          {"SISL", operate_with_sisl},
+#else
+          {"SISL", nullptr},
+#endif
+#ifdef PEERS_OPEN_CASCADE
+          {"OpenCASCADE " PEERS_OPEN_CASCADE, operate_with_open_cascade}
+#else
+          {"OpenCASCADE", nullptr}
 #endif
   };
 }
@@ -87,7 +108,11 @@ std::string in_words(const Intersections& answer)
 {
   const auto count = [](int n, const std::string& what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); };
   std::string text;
-  if (answer.points > 0 || (answer.overlaps == 0 && answer.undecided == 0))
+  if (answer.distance > 0) {
+    std::ostringstream out;
+    out << std::setprecision(9) << answer.distance;
+    text = out.str();
+  } else if (answer.points > 0 || (answer.overlaps == 0 && answer.undecided == 0))
     text = std::to_string(answer.points);
   if (answer.overlaps > 0)
     text += (text.empty() ? "" : " + ") + count(answer.overlaps, "overlap");
@@ -98,7 +123,12 @@ std::string in_words(const Intersections& answer)
 
 bool is_right(const Runs& runs, const Intersections& truth)
 {
-  return runs.end == Runs::End::FINISHED && !runs.runs.empty() && runs.runs.front().answer == truth;
+  if (runs.end != Runs::End::FINISHED || runs.runs.empty())
+    return false;
+  Intersections answer = runs.runs.front().answer;
+  if (std::abs(answer.distance - truth.distance) <= 1e-7)
+    answer.distance = truth.distance;
+  return answer == truth;
 }
 
 std::string cell(const Runs& runs, const Intersections& truth)
@@ -111,17 +141,18 @@ std::string cell(const Runs& runs, const Intersections& truth)
   return milliseconds(total(runs)) + " · " + (is_right(runs, truth) ? answer : "**" + answer + "**");
 }
 
-// In rounds over the programs, so that a slow spell of the machine falls on all of them.
-std::vector<Runs> runs_of(const Curve_problem& problem, const std::vector<Program>& programs)
+// Calls run(program) in rounds over the programs, so that a slow spell of the machine falls on all of them.
+template <class Function, class Run_program>
+std::vector<Runs> runs_of(const std::vector<Program<Function>>& programs, const Run_program& run)
 {
   constexpr int rounds = 3;
   const Run_limits limits{.least_runs = 2, .seconds = 0.1, .longest_seconds = 0.7, .kill_seconds = 20};
   std::vector<Runs> result(programs.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (programs[i].intersect == nullptr || result[i].end != Runs::End::FINISHED)
+      if (programs[i].run == nullptr || result[i].end != Runs::End::FINISHED)
         continue;
-      const Runs more = repeated_runs([&] { return programs[i].intersect(problem.first, problem.second); }, limits);
+      const Runs more = repeated_runs([&] { return run(programs[i].run); }, limits);
       result[i].end = more.end;
       result[i].runs.insert(result[i].runs.end(), more.runs.begin(), more.runs.end());
     }
@@ -154,25 +185,48 @@ void print_header(const std::vector<std::string>& cells)
   print_row(std::vector<std::string>(cells.size(), "---"));
 }
 
-void compare_curve_intersections(const std::vector<Program>& programs, const std::set<std::string>& selected)
+template <class Function>
+void print_header_of(const std::vector<Program<Function>>& programs)
 {
-  std::cout << "Intersections of two Bezier curves: CPU time in ms, from the control points to the answer, and the number of intersections; wrong ones, and what is "
-               "not an answer, in bold. Ratio: time of this package to that of the fastest other program that is right.\n\n";
   std::vector<std::string> header{"problem", "truth"};
-  for (const Program& program : programs)
+  for (const auto& program : programs)
     header.push_back(program.name);
   header.push_back("ratio");
   print_header(header);
+}
+
+template <class Problem, class Function>
+void print_comparison(const Problem& problem, const std::vector<Program<Function>>& programs, const std::vector<Runs>& runs)
+{
+  std::vector<std::string> row{problem.name + ' ' + problem.description, in_words(problem.truth)};
+  for (std::size_t i = 0; i < programs.size(); ++i)
+    row.push_back(programs[i].run == nullptr ? "not installed" : cell(runs[i], problem.truth));
+  row.push_back(ratio(runs, problem.truth));
+  print_row(row);
+}
+
+void compare_operations(const std::set<std::string>& selected)
+{
+  std::cout << "\nOperations in space, in the same way: the number of intersections, or the least distance.\n\n";
+  const std::vector<Operation_program> programs = operation_programs();
+  print_header_of(programs);
+  for (const Operation_problem& problem : operation_problems())
+    if (selected.empty() || selected.contains(problem.name))
+      print_comparison(problem, programs, runs_of(programs, [&](const auto& run) { return run(problem); }));
+}
+
+void compare_curve_intersections(const std::set<std::string>& selected)
+{
+  std::cout << "Intersections of two Bezier curves: CPU time in ms, from the control points to the answer, and the number of intersections; wrong ones, and what is "
+               "not an answer, in bold. Ratio: time of this package to that of the fastest other program that is right.\n\n";
+  const std::vector<Curve_program> programs = curve_programs();
+  print_header_of(programs);
   std::vector<std::vector<std::string>> details;
   for (const Curve_problem& problem : curve_problems()) {
     if (!selected.empty() && !selected.contains(problem.name))
       continue;
-    const std::vector<Runs> runs = runs_of(problem, programs);
-    std::vector<std::string> row{problem.name + ' ' + problem.description, in_words(problem.truth)};
-    for (std::size_t i = 0; i < programs.size(); ++i)
-      row.push_back(programs[i].intersect == nullptr ? "not installed" : cell(runs[i], problem.truth));
-    row.push_back(ratio(runs, problem.truth));
-    print_row(row);
+    const std::vector<Runs> runs = runs_of(programs, [&](const auto& run) { return run(problem.first, problem.second); });
+    print_comparison(problem, programs, runs);
 
     const Runs& own = runs[0];
     if (own.runs.empty())
@@ -210,7 +264,7 @@ void print_system_problems(const std::set<std::string>& selected)
 int main(int argc, char** argv)
 {
   const std::set<std::string> selected(argv + 1, argv + argc);
-  const std::vector<peers::Program> programs = peers::programs();
-  peers::compare_curve_intersections(programs, selected);
+  peers::compare_curve_intersections(selected);
+  peers::compare_operations(selected);
   peers::print_system_problems(selected);
 }

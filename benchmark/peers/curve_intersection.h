@@ -18,7 +18,7 @@ struct Control_point
 
 using Bezier_curve = std::vector<Control_point>;
 
-// What a program says of the intersections of two curves.
+// What a program says of the intersections of two operands, or of the distance between them.
 struct Intersections
 {
   int points = 0;
@@ -26,6 +26,7 @@ struct Intersections
   int undecided = 0;          // places that may be intersections, and are reported as such
   bool is_overlap_suspected = false;
   bool has_failed = false;    // the program says so
+  double distance = 0;        // if that is what was asked for
 
   friend bool operator==(const Intersections&, const Intersections&) = default;
 };

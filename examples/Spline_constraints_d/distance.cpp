@@ -4,7 +4,7 @@
 // The Hausdorff distances of a B-spline curve and its control polygon, both one-sided ones and the larger of them, drawn into distance.svg.
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/hausdorff_distance_2.h>
+#include <CGAL/Spline_constraints_d/operations/hausdorff_distance.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -34,7 +34,7 @@ void write_curve(std::ostream& out, const Curve& curve, const char* style)
 }
 
 // The far point and the nearest one on the other curve, with the circle around it that the other curve does not enter.
-void write_distance(std::ostream& out, const SC::Hausdorff_distance_2<K>& distance, const char* style)
+void write_distance(std::ostream& out, const SC::Hausdorff_distance<K, 2>& distance, const char* style)
 {
   const K::Point_2 &far = distance.point(distance.curve()), &near = distance.point(1 - distance.curve());
   out << "<circle class='" << style << " disk' cx='" << x_of(far) << "' cy='" << y_of(far) << "' r='" << scale * distance.distance_range().first << "'/>\n"

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -121,6 +122,20 @@ TEST(Contact_points, PolesOfBothSurfaces)
   for (const auto& x : found)
     if (x.kind() == Intersection_kind::TANGENT) {
       EXPECT_TRUE(x.is_at_end(0, 1) && x.is_at_end(1, 1) && x.point() == Point(0, 0, 1));
+    }
+}
+
+// Nothing is dropped when there is no time: a surface touches itself everywhere, and all parameters are in an answer.
+TEST(Contact_points, OutOfTime)
+{
+  const auto found = SC::contact_points(unit_sphere, unit_sphere, {.time_limit = 1e-9});
+  EXPECT_FALSE(found.is_complete());
+  for (const FT& u : {ratio(1, 3), ratio(5, 2)})
+    for (const FT& v : {ratio(1, 2), ratio(3, 2)}) {
+      const auto has = [](const Range& range, const FT& x) { return range.first <= x && x <= range.second; };
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const auto& x) {
+        return x.kind() == Intersection_kind::UNDECIDED && has(x.parameter_range(0, 0), u) && has(x.parameter_range(1, 0), u) && has(x.parameter_range(0, 1), v) && has(x.parameter_range(1, 1), v);
+      }));
     }
 }
 

@@ -3,6 +3,7 @@
 
 // Intersections with implicit curves and surfaces against exact answers.
 
+#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
@@ -164,6 +165,58 @@ TEST(Locus_intersections, ThreeImplicitSurfaces)
   const auto corner = SC::intersections(SC::segment_curve(K::Point_3(1, 1, -3), K::Point_3(1, 1, 3)), sphere, cylinder);
   expect_complete(corner, 2);
   EXPECT_EQ(points_of(corner, Kind::TRANSVERSAL), (Points_3{{1, 1, -1.414213562}, {1, 1, 1.414213562}}));
+}
+
+// A sign, and nothing beyond the box; a point that misses by little is not on it.
+TEST(Locus_intersections, PointsAndImplicit)
+{
+  const SC::Implicit_curve_2 upper_half(x * x + y * y - 1, {{{-9, 9}, {0, 9}}});
+  const K::FT little = K::FT(1) / K::FT(1e40);
+  const auto on = SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(4) / 5), upper_half);
+  expect_complete(on, 1);
+  EXPECT_EQ(points_of(on, Kind::TRANSVERSAL), (Points{{0.6, 0.8}}));
+  EXPECT_EQ(on[0].multiplicity(), 1);
+  EXPECT_FALSE(on[0].is_at_end(0));
+  expect_complete(SC::intersections(upper_half, K::Point_2(0, 1)), 1);
+  expect_complete(SC::intersections(upper_half, K::Point_2(1, 0)), 1);
+  expect_complete(SC::intersections(upper_half, K::Point_2(0, -1)), 0);
+  expect_complete(SC::intersections(K::Point_2(little, 1), upper_half), 0);
+  const auto sphere = SC::to_implicit(K::Sphere_3(K::Point_3(0, 0, 0), 9));
+  expect_complete(SC::intersections(K::Point_3(2, -1, 2), sphere), 1);
+  expect_complete(SC::intersections(K::Point_3(2, -1, 2 + little), sphere), 0);
+}
+
+// The offset of a circle of radius 2 by 1 to the left, which is inwards.
+TEST(Locus_intersections, PointsAndOffset)
+{
+  const SC::Offset_curve_2 offset(SC::circle_curve(K::Point_2(0, 0), K::FT(2)), 1);
+  const auto on = SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(4) / 5), offset);
+  expect_complete(on, 1);
+  EXPECT_EQ(points_of(on, Kind::TRANSVERSAL), (Points{{0.6, 0.8}}));
+  EXPECT_NEAR(on[0].parameter(1), 0.5, 1e-12);   // of ((1 - t^2) / (1 + t^2), 2 t / (1 + t^2))
+  expect_complete(SC::intersections(K::Point_2(Exact_rational(3) / 5, Exact_rational(3) / 5), offset), 0);
+  expect_complete(SC::intersections(K::Point_2(1, 0), offset), 1);   // its seam
+}
+
+// A limit is one for all pieces together: when it is used up, what remains is undecided.
+TEST(Locus_intersections, LimitsOfTheWhole)
+{
+  std::vector<K::Point_2> points;
+  for (int i = 0; i < 9; ++i)
+    points.emplace_back(2 * i - 8, i % 2 == 0 ? 5 : -5);
+  const SC::Offset_curve_2 offset(SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6}, points), Exact_rational(1) / 4);
+  const SC::Implicit_curve_2 line(y - x / 9, wide);
+  const auto all = SC::intersections(offset, line);
+  EXPECT_TRUE(all.is_complete());
+  EXPECT_EQ(all.count(Kind::TRANSVERSAL), 8u);   // once between each two of the nine control points
+  const std::size_t nodes = all.summary().nodes, pieces = 6;
+  for (const std::size_t limit : {std::size_t(1), nodes / 4, nodes / 2}) {
+    const auto cut_off = SC::intersections(offset, line, {.node_limit = limit});
+    EXPECT_FALSE(cut_off.is_complete());
+    EXPECT_GT(cut_off.count(Kind::UNDECIDED), 0u);
+    EXPECT_LE(cut_off.summary().nodes, limit + pieces);
+  }
+  EXPECT_TRUE(SC::intersections(offset, line, {.time_limit = 1000, .node_limit = nodes + 1}).is_complete());
 }
 
 // Random curves of degree three through a random rational point, and random polynomials that vanish there: the point is found once, at its parameter.

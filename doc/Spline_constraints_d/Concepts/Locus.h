@@ -14,6 +14,7 @@ or a caustic, is its pieces: a formula of its points, and the equations that a g
 \cgalHasModels{CGAL::Spline_constraints::Offset_surface_3}
 \cgalHasModels{CGAL::Spline_constraints::Evolute_2}
 \cgalHasModels{CGAL::Spline_constraints::Parametric_locus<number_of_parameters,d>}
+\cgalHasModels{CGAL::Spline_constraints::Point_locus<d>}
 \cgalHasModelsEnd
 */
 class Locus

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_BSPLINE_FUNCTION_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -74,7 +75,7 @@ public:
       m_axes.push_back({degrees[j], std::move(knots[j])});
       internal::check_knots(m_axes.back(), "Bspline_function: axis " + std::to_string(j));
     }
-    const std::size_t size = internal::checked_tensor_size<NT>(extents(m_axes), "Bspline_function");
+    const std::size_t size = internal::checked_tensor_size<NT>(internal::extents(m_axes), "Bspline_function");
     internal::check_count(m_coefficients.size(), size, "Bspline_function: number of control points");
     internal::check_finite(m_coefficients, "Bspline_function: control point");
   }
@@ -234,6 +235,8 @@ public:
     const Axis& own = at(axis);
     if (!(own.begin() <= begin && begin < end && end <= own.end()))
       throw Invalid_input("Bspline_function: the part to restrict axis " + std::to_string(axis) + " to is empty or not within the domain");
+    if (own.is_clamped() && begin == own.begin() && end == own.end())
+      return *this;
     Breaks breaks{{begin, 1}};
     for (const auto& entry : internal::breaks_of(own))
       if (begin < entry.value && entry.value < end)
@@ -268,7 +271,7 @@ public:
   */
   Bspline_function embedded(const std::vector<std::pair<NT, NT>>& domain, const std::vector<int>& axes) const
   {
-    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(extents(m_axes), m_coefficients).embedded(static_cast<int>(domain.size()), axes);
+    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(internal::extents(m_axes), m_coefficients).embedded(static_cast<int>(domain.size()), axes);
     std::vector<Axis> result;
     for (const auto& range : domain)
       result.push_back({0, {range.first, range.second}});
@@ -296,19 +299,23 @@ public:
   //! sum of two splines on the same domain, on the knots of both. \throws Invalid_input when the domains differ.
   friend Bspline_function operator+(const Bspline_function& a, const Bspline_function& b)
   {
-    return combined(a, b, highest_degrees(a, b), [](const auto& f, const auto& g) { return f + g; });
+    return combined_linearly(a, b, [](const auto& f, const auto& g) { return f + g; });
   }
 
   //! difference of two splines on the same domain. \throws Invalid_input when the domains differ.
   friend Bspline_function operator-(const Bspline_function& a, const Bspline_function& b)
   {
-    return combined(a, b, highest_degrees(a, b), [](const auto& f, const auto& g) { return f - g; });
+    return combined_linearly(a, b, [](const auto& f, const auto& g) { return f - g; });
   }
 
   //! product of two splines on the same domain; degrees add up. \throws Invalid_input when the domains differ.
   friend Bspline_function operator*(const Bspline_function& a, const Bspline_function& b)
   {
     check_domains(a, b);
+    if (b.m_coefficients.size() == 1 && a.is_clamped())
+      return a * b.m_coefficients[0];
+    if (a.m_coefficients.size() == 1 && b.is_clamped())
+      return b * a.m_coefficients[0];
     std::vector<int> degrees = a.degrees();
     for (std::size_t j = 0; j < degrees.size(); ++j)
       degrees[j] += b.m_axes[j].degree;
@@ -334,6 +341,8 @@ public:
   {
     if (!have_same_domain(a, b))
       return false;
+    if (a.m_axes == b.m_axes && a.is_clamped())
+      return a.m_coefficients == b.m_coefficients;
     const std::vector<Breaks> breaks = common_breaks(a, b, highest_degrees(a, b));
     return a.pieces_on(breaks) == b.pieces_on(breaks);
   }
@@ -345,18 +354,9 @@ private:
     return m_axes[axis];
   }
 
-  // The control points seen as a dense tensor: its index bounds, as degrees.
-  static std::vector<int> extents(const std::vector<Axis>& axes)
-  {
-    std::vector<int> result;
-    for (const Axis& axis : axes)
-      result.push_back(static_cast<int>(axis.size()) - 1);
-    return result;
-  }
-
   std::vector<NT> transformed(int axis, const internal::Row_matrix<NT>& matrix) const
   {
-    return internal::transform_axis(m_coefficients, internal::axis_view(extents(m_axes), axis), matrix);
+    return internal::transform_axis(m_coefficients, internal::axis_view(internal::extents(m_axes), axis), matrix);
   }
 
   Bspline_function refined_to(int axis, Axis finer) const
@@ -388,66 +388,15 @@ private:
       for (int r = 0; r <= order; ++r)
         weights[j].push_back(internal::derivative_weights(m_axes[j], span, u[j], r));
     }
-    return {internal::tensor_block(m_coefficients, extents(m_axes), lower, degrees()), std::move(weights)};
+    return {internal::tensor_block(m_coefficients, internal::extents(m_axes), lower, degrees()), std::move(weights)};
   }
 
-  // One less than the number of cells of each axis.
-  static std::vector<int> last_cells(const std::vector<Breaks>& breaks)
-  {
-    std::vector<int> result;
-    for (const Breaks& axis : breaks)
-      result.push_back(static_cast<int>(axis.size()) - 2);
-    return result;
-  }
+  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const { return internal::pieces_on_cells(m_axes, m_coefficients, breaks); }
 
-  // Cells along each axis lie behind each other in one dense tensor: all Bézier points of the first cell, then those of the second, ...
-  static std::vector<int> stacked_extents(const std::vector<int>& degrees, const std::vector<Breaks>& breaks)
-  {
-    std::vector<int> result;
-    for (std::size_t j = 0; j < degrees.size(); ++j)
-      result.push_back((degrees[j] + 1) * (static_cast<int>(breaks[j].size()) - 1) - 1);
-    return result;
-  }
-
-  static std::vector<int> first_of_cell(std::vector<int> cell, const std::vector<int>& degrees)
-  {
-    for (std::size_t j = 0; j < cell.size(); ++j)
-      cell[j] *= degrees[j] + 1;
-    return cell;
-  }
-
-  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const
-  {
-    std::vector<NT> data = m_coefficients;
-    std::vector<int> extent = extents(m_axes);
-    const std::vector<int> degrees = this->degrees(), stacked = stacked_extents(degrees, breaks);
-    for (std::size_t j = 0; j < m_axes.size(); ++j) {
-      data = internal::transform_axis(data, internal::axis_view(extent, j), internal::extraction_matrix(m_axes[j], breaks[j]));
-      extent[j] = stacked[j];
-    }
-    std::vector<Bernstein_tensor<NT>> pieces;
-    internal::for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
-      pieces.emplace_back(degrees, internal::tensor_block(data, stacked, first_of_cell(cell, degrees), degrees));
-    });
-    return pieces;
-  }
-
-  // The spline with these pieces, which are as smooth at the breaks as their multiplicities promise.
   static Bspline_function assembled(const std::vector<int>& degrees, const std::vector<Breaks>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
   {
-    std::vector<int> extent = stacked_extents(degrees, breaks);
-    std::vector<NT> data(internal::checked_tensor_size<NT>(extent, "Bspline_function"), NT(0));
-    auto piece = pieces.begin();
-    internal::for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
-      internal::place_tensor_block(data, extent, first_of_cell(cell, degrees), (piece++)->coefficients(), degrees);
-    });
-    std::vector<Axis> axes;
-    for (std::size_t j = 0; j < degrees.size(); ++j) {
-      axes.push_back(internal::clamped(degrees[j], breaks[j]));
-      data = internal::transform_axis(data, internal::axis_view(extent, j), internal::assembly_matrix(axes[j], breaks[j]));
-      extent[j] = static_cast<int>(axes[j].size()) - 1;
-    }
-    return Bspline_function(Unchecked(), std::move(axes), std::move(data));
+    auto [axes, coefficients] = internal::assembled_cells(degrees, breaks, pieces);
+    return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients));
   }
 
   static bool have_same_domain(const Bspline_function& a, const Bspline_function& b)
@@ -478,6 +427,24 @@ private:
     std::vector<Breaks> result;
     for (std::size_t j = 0; j < degrees.size(); ++j)
       result.push_back(internal::common_breaks(degrees[j], a.m_axes[j], b.m_axes[j]));
+    return result;
+  }
+
+  bool is_clamped() const
+  {
+    return std::all_of(m_axes.begin(), m_axes.end(), [](const Axis& axis) { return axis.is_clamped(); });
+  }
+
+  // On the same knots, control points are combined.
+  template <class Operation>
+  static Bspline_function combined_linearly(const Bspline_function& a, const Bspline_function& b, const Operation& operation)
+  {
+    const std::vector<int> degrees = highest_degrees(a, b);
+    if (!(a.m_axes == b.m_axes && a.is_clamped()))
+      return combined(a, b, degrees, operation);
+    Bspline_function result(a);
+    for (std::size_t k = 0; k < result.m_coefficients.size(); ++k)
+      result.m_coefficients[k] = operation(a.m_coefficients[k], b.m_coefficients[k]);
     return result;
   }
 

@@ -31,6 +31,11 @@ struct Knot_axis
   std::size_t size() const { return knots.size() - degree - 1; }
   const NT& begin() const { return knots[degree]; }
   const NT& end() const { return knots[size()]; }
+
+  // Whether the first and last control points are those of the ends of the domain.
+  bool is_clamped() const { return knots.front() == begin() && knots.back() == end(); }
+
+  friend bool operator==(const Knot_axis&, const Knot_axis&) = default;
 };
 
 // A value that occurs among the knots inside the domain, and how often.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
+#include <CGAL/Spline_constraints_d/geometry/Point_locus.h>
 
 #include <array>
 #include <span>
@@ -58,7 +59,7 @@ public:
       else
         return map(u[0], u[1]);
     };
-    piece.incidence = [point = piece.point](const Vector_expression<d>& p, std::span<const Unknown> u) { return equality(p, point(u)); };
+    piece.incidence = [point = piece.point](const Vector_expression<d>& p, std::span<const Unknown> u) { return internal::equality<d>(p, point(u)); };
     return {piece};
   }
 
@@ -67,23 +68,8 @@ public:
   {
     std::vector<Locus_end<d>> result;
     if constexpr (number_of_parameters == 1)
-      for (const Exact_rational& t : {domain(0).first, domain(0).second}) {
-        const std::array<Exact_rational, d> x = m_map(std::array{t});
-        const Vector_expression<d> point = internal::vector_of<d>([&](std::size_t i) { return Expression(x[i]); });
-        Locus_piece<d> piece;
-        piece.point = [point](std::span<const Unknown>) { return point; };
-        piece.incidence = [point](const Vector_expression<d>& p, std::span<const Unknown>) { return equality(p, point); };
-        result.push_back({t, piece});
-      }
-    return result;
-  }
-
-private:
-  static std::vector<Constraint> equality(const Vector_expression<d>& p, const Vector_expression<d>& q)
-  {
-    std::vector<Constraint> result;
-    for (int i = 0; i < d; ++i)
-      result.push_back(p[i] == q[i]);
+      for (const Exact_rational& t : {domain(0).first, domain(0).second})
+        result.push_back({t, Point_locus<d>(m_map(std::array{t})).locus_pieces().front()});
     return result;
   }
 };

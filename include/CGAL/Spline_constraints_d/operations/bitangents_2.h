@@ -243,7 +243,7 @@ or undecided. So does the line of a straight piece that is tangent to the other 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
 \param c2 the second curve.
-\param options those of the solver; limits hold for each two parts.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: a system of two equations in two unknowns for each two smooth parts.
@@ -267,7 +267,7 @@ Straight pieces are not reported as tangent to themselves; one that goes on smoo
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.
-\param options those of the solver; limits hold for each two pieces.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: \f$n(n+1)/2\f$ systems of two equations in two unknowns for \f$n\f$ polynomial pieces.

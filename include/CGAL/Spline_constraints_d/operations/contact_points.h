@@ -33,7 +33,7 @@ Contacts with a plane are decided by exact signs, also at irrational parameters.
 \tparam A,B models of `ParametricSurface_3`, or `CGAL::Sphere_3`, `CGAL::Triangle_3`, or one of them `CGAL::Plane_3`, of the same kernel. Points of the result are those of `A`.
 \param a the first surface.
 \param b the second surface.
-\param options those of the solver, for each of the systems.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, or an option makes no sense.
 
 Complexity: for each pair of polynomial pieces whose boxes meet, that of a system of five equations in four unknowns, or of three in two if a surface is a planar parallelogram.

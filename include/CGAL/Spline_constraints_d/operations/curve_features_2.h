@@ -330,7 +330,7 @@ where they have a common tangent; corners are reported as `BREAK`. On a closed c
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve; exact, as doubles are rational numbers.
-\param options those of the solver; limits hold for each piece. Nothing depends on a tolerance.
+\param options those of the solver; limits hold for the operation as a whole. Nothing depends on a tolerance.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: one system in one unknown per polynomial piece, of degree \f$2d-4\f$ for polynomial curves of degree \f$d\f$, and one per zero.
@@ -356,7 +356,7 @@ Corners, and breaks where the curvature jumps, are reported as `BREAK`. Pieces a
 
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.
-\param options those of the solver; limits hold for each piece.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: one system in one unknown per piece, and one per zero.
@@ -384,7 +384,7 @@ those that no point of the curve surpasses. Ties are decided exactly: critical h
 \tparam Curve a model of `ParametricCurve_2`.
 \param curve the curve.
 \param direction the direction, not zero.
-\param options those of the solver; limits hold for each piece.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when the direction is zero or an option makes no sense.
 
 Complexity: one system in one unknown per piece, \f$O(n^2)\f$ comparisons of \f$n\f$ heights, and at most as many systems where they are close.

@@ -52,7 +52,7 @@ it does not know them, `to_bspline_curve()`.
 one of them `CGAL::Line_2`, `CGAL::Line_3`, `CGAL::Ray_2`, `CGAL::Ray_3` or `CGAL::Plane_3`. Both have the same kernel and are in the same dimension. Points of the result are those of `A`.
 \param a the first operand.
 \param b the second operand.
-\param options those of the solver, for each of the systems; a tolerance concerns only what remains undecided.
+\param options those of the solver; limits hold for the operation as a whole, and a tolerance concerns only what remains undecided.
 \throws Invalid_input when a coordinate is not finite, an object of CGAL is degenerate, a weight is not proved to have one sign, or an option makes no sense.
 
 Complexity: that of a system in as many unknowns as the operands have parameters that are not eliminated; and of one with an unknown less for each solution at an end. Source: \cgalCite{ek-gcs-01}, section 2.

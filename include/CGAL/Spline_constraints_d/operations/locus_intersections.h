@@ -90,8 +90,13 @@ private:
   void intersect(const Pieces& pieces)
   {
     const Locus_system<d> system(pieces);
-    if (system.unknowns().empty())
+    if (system.is_void() || (system.unknowns().empty() && !hold(system.constraints())))
       return;
+    if (system.unknowns().empty()) {   // a point, decided by signs
+      m_result.emplace_back(Intersection_kind::TRANSVERSAL, system.coordinates({}), std::vector<std::vector<Locus_parameter>>(m_operands.size()),
+                            Solution(Solution_kind::CERTIFIED, {}, {}, "exact", Undecided_reason::NONE, 1));
+      return;
+    }
     const Solution_set_d<double> solutions = m_solve(system.constraints());
     std::vector<Incidence> incidences;
     if (system.unknowns().size() > 1 && std::any_of(solutions.begin(), solutions.end(), [&](const Solution& s) { return is_near_end(s.exact_box(), system); }))
@@ -192,7 +197,7 @@ private:
 };
 
 template <class T>
-concept Locus_operand = Locus<T> || ParametricMap<T>;
+concept Locus_operand = requires(const T& operand) { to_locus(operand); };
 
 template <class T>
 using Locus_of = decltype(to_locus(std::declval<const T&>()));
@@ -208,10 +213,12 @@ concept Locus_operands = Locus_operand<First> && (Locus_operand<Others> && ...) 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-all intersections of two curves in the plane, or of a curve and a surface in space, of which one at least is implicit or procedural.
+all intersections of two curves in the plane, or of a curve and a surface in space, or of a point with one of these, of which one at least is implicit or procedural.
 
 | operands | unknowns | equations |
 |---|---|---|
+| point, implicit | none | \f$f(p) = 0\f$, an exact sign |
+| point, procedural | parameters | \f$p\f$ satisfies the conditions of the procedural one |
 | parametric, implicit | parameters | \f$f(C(u)) = 0\f$: for a curve one equation in one unknown |
 | implicit, implicit | coordinates | \f$f = g = 0\f$ |
 | parametric, procedural | parameters of both | the point satisfies the conditions of the procedural one |
@@ -222,11 +229,11 @@ All operands are taken exactly, and so are all decisions. A point at the seam of
 end of a curve is decided by a system with one unknown less. Pieces that curves have in common are reported as `OVERLAP`, with `Solution_d::cover()`; with exact parameters where a parametric curve
 lies on an implicit one, or in an implicit surface.
 
-\tparam A,B models of `Locus`, `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` in the same space; at least one a `Locus`. The codimensions add up to that of a point, or more.
+\tparam A,B models of `Locus`, `CGAL::Point_2`, `CGAL::Point_3`, `ParametricCurve_2`, `ParametricCurve_3` or `ParametricSurface_3` in the same space; at least one a `Locus`. The codimensions add up to that of a point, or more.
 \param a the first operand.
 \param b the second operand.
-\param options those of the solver; limits hold for each pair of smooth pieces.
-\throws Invalid_input when an option makes no sense, or a weight is not proved to have one sign.
+\param options those of the solver; limits hold for the operation as a whole.
+\throws Invalid_input when an option makes no sense, a coordinate is not finite, or a weight is not proved to have one sign.
 
 Complexity: that of one system for each pair of smooth pieces; and of smaller ones for ends of curves, if common points are near. Source: the classification of intersections by rational, procedural
 and implicit representations, \cgalCite{p-cgl-03}.

@@ -28,7 +28,7 @@ the same parameter, and that is how answers are to be read: a `TRANSVERSAL` one,
 offset goes on; an `OVERLAP` is an arc whose offset is its center. At breaks where the curvature jumps an offset may turn back without a zero; this is not reported.
 
 \param offset the offset; operand 0 of the answers.
-\param options those of the solver; limits hold for each piece.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: one system in one unknown per polynomial piece, \f$r^2 (C' \times C'')^2 = |C'|^6\f$ with \f$r\,(C' \times C'') > 0\f$. Nothing is undecided unless a limit is reached.
@@ -69,7 +69,7 @@ curvature. Two pieces that join smoothly have a solution in their common end, wh
 end, the larger distance, and \f$|C'(u)|\f$. A cusp at a break stays undecided, as does the seam of a closed curve of one or two pieces.
 
 \param offset the offset.
-\param options those of the solver; limits hold for each pair of pieces.
+\param options those of the solver; limits hold for the operation as a whole.
 \throws Invalid_input when an option makes no sense.
 
 Complexity: a system of three equations in three unknowns, \f$u, v\f$ and \f$|C'(u)|\f$, for each pair of polynomial pieces, two for neighbours. Source: \cgalCite{p-cgl-03}.

@@ -97,6 +97,8 @@ public:
 
   std::vector<Common_point> operator()()
   {
+    if (are_apart(m_pair[0], m_pair[1]))
+      return {};
     const std::array<std::vector<Contact_piece>, 2> pieces{pieces_of(m_pair[0]), pieces_of(m_pair[1])};
     const std::array<std::vector<Smooth_pole>, 2> poles{poles_of(m_pair[0]), poles_of(m_pair[1])};
     for (const Contact_piece& a : pieces[0])
@@ -114,6 +116,13 @@ public:
   }
 
 private:
+  // By their bounds.
+  static bool are_apart(const Spline_patch<3>& a, const Spline_patch<3>& b)
+  {
+    const Vector_bounds<3> gap = a.values() - b.values();
+    return std::any_of(gap.begin(), gap.end(), [](const Rational_interval& x) { return x.lower > 0 || x.upper < 0; });
+  }
+
   static std::optional<Spline_patch<3>> pole_of(const Spline_patch<3>& surface, int axis, int side)
   {
     const Exact_rational end = side == 0 ? surface.domain(axis).first : surface.domain(axis).second;
@@ -127,9 +136,10 @@ private:
       const auto [begin, end] = surface.domain(axis);
       return (side == 0 ? part.range.first == begin : part.range.second == end) && pole_of(surface, axis, side).has_value();
     };
+    const std::array<std::vector<Axis_part>, 2> ranges{polynomial_ranges(surface, 0), polynomial_ranges(surface, 1)};
     std::vector<Contact_piece> result;
-    for (const Axis_part& u : polynomial_ranges(surface, 0))
-      for (const Axis_part& v : polynomial_ranges(surface, 1))
+    for (const Axis_part& u : ranges[0])
+      for (const Axis_part& v : ranges[1])
         result.push_back({surface.part(std::vector<Parameter_range>{u.range, v.range}), {u.is_without_end, v.is_without_end},
                           {{{is_pole(u, 0, 0), is_pole(u, 0, 1)}, {is_pole(v, 1, 0), is_pole(v, 1, 1)}}}});
     return result;
@@ -152,10 +162,12 @@ private:
 
   void find_contacts(const std::array<Contact_piece, 2>& pieces)
   {
-    const Vector_bounds<3> gap = pieces[0].patch.values() - pieces[1].patch.values();
-    if (std::any_of(gap.begin(), gap.end(), [](const Rational_interval& x) { return x.lower > 0 || x.upper < 0; }))
+    if (are_apart(pieces[0].patch, pieces[1].patch))
       return;
-    const Coincidence<3> equations(Patch_pair<3>(pieces[0].patch, pieces[1].patch));
+    const Patch_pair<3> patches(pieces[0].patch, pieces[1].patch);
+    if (m_solve.is_out_of_time())
+      return add(Intersection_kind::UNDECIDED, patches.domain(), std::nullopt);
+    const Coincidence<3> equations(patches);
     if (const std::size_t plane = equations.has_eliminated(0) ? 0 : 1; equations.has_eliminated(plane))
       find_contacts_with_plane(equations, plane, pieces[1 - plane]);
     else if (const auto without_cap = without_undecided_cap(pieces))

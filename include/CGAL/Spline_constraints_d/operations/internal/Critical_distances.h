@@ -188,7 +188,7 @@ private:
     add(a, b, solution.kind(), box, sample, solution);
     m_found.back().boxes = boxes;
     Rational_interval& range = m_found.back().distance.squared_distance;
-    range = is_connected_continuum(solution, constraints) ? range_on(a, b, box_at(sample)) : range_on(a, b, boxes);
+    range = is_connected_continuum(solution, constraints) ? Rational_interval(squared_distance_at(a, b, sample)) : range_on(a, b, boxes);
     const bool is_zero = range.lower == 0 && range.upper > 0 && is_crossing(a, b, solution);
     if (is_zero)
       range = Rational_interval(Exact_rational(0));
@@ -218,7 +218,7 @@ private:
 
   void add(const Site& a, const Site& b, Solution_kind kind, const Box& box, const std::vector<Exact_rational>& sample, const std::optional<Solution>& solution)
   {
-    Critical_distance result{kind, {a.ranges(), b.ranges()}, {}, range_on(a, b, box_at(sample)), solution};
+    Critical_distance result{kind, {a.ranges(), b.ranges()}, {}, Rational_interval(squared_distance_at(a, b, sample)), solution};
     std::size_t next = 0;
     for (const auto& [operand, site] : {std::pair(0, &a), std::pair(1, &b)}) {
       for (const Parameter_range& range : result.ranges[operand])
@@ -242,31 +242,24 @@ private:
     return result;
   }
 
-  static Box box_at(const std::vector<Exact_rational>& point)
+  static Exact_rational squared_distance_at(const Site& a, const Site& b, const std::vector<Exact_rational>& point)
   {
-    Box result;
-    for (const Exact_rational& x : point)
-      result.emplace_back(x, x);
-    return result;
-  }
-
-  static std::array<Spline_patch<d>, 2> patches_on(const Site& a, const Site& b, const Box& box)
-  {
-    const auto split = box.begin() + a.patch().number_of_parameters();
-    return {a.patch().part(Box(box.begin(), split)), b.patch().part(Box(split, box.end()))};
+    const std::span<const Exact_rational> parameters(point);
+    const auto split = static_cast<std::size_t>(a.patch().number_of_parameters());
+    return squared_distance_of<d>(a.patch()(parameters.first(split)), b.patch()(parameters.subspan(split)));
   }
 
   static Rational_interval range_on(const Site& a, const Site& b, const Box& box)
   {
-    const std::array<Spline_patch<d>, 2> patches = patches_on(a, b, box);
-    return squared_distance_bounds<d>(patches[0], patches[1]);
+    const auto split = box.begin() + a.patch().number_of_parameters();
+    return squared_distance_bounds<d>(a.patch().part(Box(box.begin(), split)), b.patch().part(Box(split, box.end())));
   }
 
   static Rational_interval range_on(const Site& a, const Site& b, const std::vector<Box>& boxes)
   {
     Rational_interval result = range_on(a, b, boxes.front());
-    for (const Box& box : boxes)
-      result = hull(result, range_on(a, b, box));
+    for (std::size_t i = 1; i < boxes.size(); ++i)
+      result = hull(result, range_on(a, b, boxes[i]));
     return result;
   }
 
@@ -311,7 +304,7 @@ private:
   // A pair of points whose distance is an upper bound of the least one.
   void look_at(const Site& a, const Site& b, const std::vector<Exact_rational>& parameters)
   {
-    m_upper = (std::min)(m_upper, range_on(a, b, box_at(parameters)).upper);
+    m_upper = (std::min)(m_upper, squared_distance_at(a, b, parameters));
   }
 
   static bool is_solution(const std::vector<Constraint>& constraints, const std::vector<Exact_rational>& point)

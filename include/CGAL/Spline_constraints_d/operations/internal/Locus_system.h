@@ -68,7 +68,8 @@ public:
     ranges.insert(ranges.end(), others.begin(), others.end());
     if (std::any_of(ranges.begin(), ranges.end(), [](const auto& range) { return range.second < range.first; }))
       return;   // boxes that do not meet
-    m_unknowns = unknowns_in(ranges);
+    if (!ranges.empty())
+      m_unknowns = unknowns_in(ranges);
 
     if (has_carrier) {
       std::vector<Unknown> u = parameters_of(pieces, carrier);
@@ -91,7 +92,9 @@ public:
     remove_trivial_equations();
   }
 
-  // None when boxes do not meet: then nothing satisfies the constraints.
+  // Whether boxes do not meet: then there are no constraints, and nothing satisfies them.
+  bool is_void() const { return !m_point; }
+
   const std::vector<Unknown>& unknowns() const { return m_unknowns; }
   const std::vector<Constraint>& constraints() const { return m_constraints; }
 

@@ -59,28 +59,29 @@ struct Rational_interval
 template <int d>
 using Vector_bounds = std::array<Rational_interval, d>;
 
-template <std::size_t d>
-std::array<Rational_interval, d> operator-(const std::array<Rational_interval, d>& a, const std::array<Rational_interval, d>& b)
+// Vectors of intervals, rational or of doubles.
+template <class Interval, std::size_t d>
+std::array<Interval, d> operator-(const std::array<Interval, d>& a, const std::array<Interval, d>& b)
 {
-  std::array<Rational_interval, d> result;
+  std::array<Interval, d> result;
   for (std::size_t i = 0; i < d; ++i)
     result[i] = a[i] - b[i];
   return result;
 }
 
-template <std::size_t d>
-Rational_interval dot(const std::array<Rational_interval, d>& a, const std::array<Rational_interval, d>& b)
+template <class Interval, std::size_t d>
+Interval dot(const std::array<Interval, d>& a, const std::array<Interval, d>& b)
 {
-  Rational_interval result = a[0] * b[0];
+  Interval result = a[0] * b[0];
   for (std::size_t i = 1; i < d; ++i)
     result = result + a[i] * b[i];
   return result;
 }
 
-template <std::size_t d>
-Rational_interval squared_norm(const std::array<Rational_interval, d>& a)
+template <class Interval, std::size_t d>
+Interval squared_norm(const std::array<Interval, d>& a)
 {
-  Rational_interval result = square(a[0]);
+  Interval result = square(a[0]);
   for (std::size_t i = 1; i < d; ++i)
     result = result + square(a[i]);
   return result;

@@ -161,10 +161,14 @@ public:
   {
     const auto value = [&](const Exact_function& f) { return part_of(f, axis, cell).face(axis, side); };
     const auto slope = [&](const Exact_function& f) { return part_of(f, axis, cell).restricted(axis, cell.first, cell.second).derivative(axis).face(axis, side); };
-    const Exact_function w = value(m_weight), w_slope = slope(m_weight);
     Vector_of_functions<d> result;
     for (int i = 0; i < d; ++i)
-      result[i] = slope(m_numerators[i]) * w - value(m_numerators[i]) * w_slope;
+      result[i] = slope(m_numerators[i]);
+    if (!m_is_rational)
+      return result;
+    const Exact_function w = value(m_weight), w_slope = slope(m_weight);
+    for (int i = 0; i < d; ++i)
+      result[i] = result[i] * w - value(m_numerators[i]) * w_slope;
     return result;
   }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -14,14 +15,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Solves the systems of one operation, and adds up the work.
+// Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together, that of time also for what is done between them.
 class Summing_solver
 {
-  Subdivision_solver_d<Certified_solver_traits> m_solver;
+  using Clock = std::chrono::steady_clock;
+
+  Solver_options m_options;
   Summary m_total;
+  Clock::time_point m_start = Clock::now();
 
 public:
-  explicit Summing_solver(const Solver_options& options) : m_solver(options) {}
+  explicit Summing_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
 
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
 
@@ -39,11 +43,27 @@ public:
 
   const Summary& total() const { return m_total; }
 
+  // Whether there is no time left, so that systems need not be made.
+  bool is_out_of_time() const { return m_options.time_limit > 0 && seconds() >= m_options.time_limit; }
+
 private:
   Solution_set_d<double> solve(const Constraint_system_d& system)
   {
-    Solution_set_d<double> result = m_solver(system);
+    Solution_set_d<double> result = Subdivision_solver_d<Certified_solver_traits>(remaining_options())(system);
     m_total += result.summary();
+    return result;
+  }
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  // With what is left of the limits, a little at least: zero would be no limit.
+  Solver_options remaining_options() const
+  {
+    Solver_options result = m_options;
+    if (m_options.time_limit > 0)
+      result.time_limit = (std::max)(m_options.time_limit - seconds(), 1e-9);
+    if (m_options.node_limit > 0)
+      result.node_limit = m_total.nodes < m_options.node_limit ? m_options.node_limit - m_total.nodes : 1;
     return result;
   }
 };

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
@@ -23,11 +23,18 @@ namespace Spline_constraints {
 namespace internal {
 
 using Double_interval = CGAL::Interval_nt<false>;   // within an Upward_rounding_guard
-using Double_intervals_2 = std::array<Double_interval, 2>;
+template <int d>
+using Double_intervals = std::array<Double_interval, d>;
 
-inline Double_intervals_2 difference(const Double_intervals_2& a, const Double_intervals_2& b) { return {a[0] - b[0], a[1] - b[1]}; }
-inline Double_interval dot(const Double_intervals_2& a, const Double_intervals_2& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline Double_interval squared_norm(const Double_intervals_2& a) { return square(a[0]) + square(a[1]); }
+// a + t b
+template <std::size_t d>
+std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>& a, const Double_interval& t, const std::array<Double_interval, d>& b)
+{
+  std::array<Double_interval, d> result;
+  for (std::size_t i = 0; i < d; ++i)
+    result[i] = a[i] + t * b[i];
+  return result;
+}
 
 inline Double_interval rounded(const Rational_interval& x) { return {to_double_interval(x.lower).first, to_double_interval(x.upper).second}; }
 inline Double_interval hull_of(const Double_interval& a, const Double_interval& b) { return {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())}; }
@@ -84,29 +91,29 @@ public:
 };
 
 /*
-A part of a planar curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
-pieces between breaks, with
-exact bounds; of these their halves, and so on, in intervals.
+A part of a curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
+pieces between breaks, with exact bounds; of these their halves, and so on, in intervals.
 */
-class Curve_tree_2
+template <int d>
+class Curve_tree
 {
   Parameter_range m_range;
   Exact_rational m_middle;
   Double_interval m_width;
-  std::shared_ptr<const Spline_patch<2>> m_patch;   // of the whole curve only
+  std::shared_ptr<const Spline_patch<d>> m_patch;   // of the whole curve only
   int m_level = 0;
-  std::array<Bernstein_row, 2> m_numerators;
+  std::array<Bernstein_row, d> m_numerators;
   std::optional<Bernstein_row> m_weight;
-  Double_intervals_2 m_middle_point, m_values, m_tangents;
-  mutable std::vector<Curve_tree_2> m_children;
+  Double_intervals<d> m_middle_point, m_values, m_tangents;
+  mutable std::vector<Curve_tree> m_children;
 
 public:
-  explicit Curve_tree_2(const Spline_patch<2>& curve) : Curve_tree_2(curve, curve.domain(0)) { m_patch = std::make_shared<const Spline_patch<2>>(curve); }
+  explicit Curve_tree(const Spline_patch<d>& curve) : Curve_tree(curve, curve.domain(0)) { m_patch = std::make_shared<const Spline_patch<d>>(curve); }
 
-  const Spline_patch<2>& patch() const { return *m_patch; }
+  const Spline_patch<d>& patch() const { return *m_patch; }
   const Exact_rational& middle() const { return m_middle; }
-  const Double_intervals_2& middle_point() const { return m_middle_point; }
-  const Double_intervals_2& tangents() const { return m_tangents; }
+  const Double_intervals<d>& middle_point() const { return m_middle_point; }
+  const Double_intervals<d>& tangents() const { return m_tangents; }
   double radius() const { return (m_width / 2.0).sup(); }
 
   // Whether rounding may keep the bounds of smaller parts from being better.
@@ -115,7 +122,7 @@ public:
   // The differences of parameters from the middle.
   Double_interval steps() const { return {-radius(), radius()}; }
 
-  const std::vector<Curve_tree_2>& children() const
+  const std::vector<Curve_tree>& children() const
   {
     if (m_children.empty() && m_patch != nullptr)
       add_pieces();
@@ -125,44 +132,51 @@ public:
   }
 
   // Bounds of the squared distances of the points from another one, by the mean value theorem.
-  Double_interval squared_distance_bounds(const Double_intervals_2& point) const
+  Double_interval squared_distance_bounds(const Double_intervals<d>& point) const
   {
-    const Double_intervals_2 offset = difference(m_values, point);
-    const Double_interval direct = squared_norm(offset), by_slopes = squared_norm(difference(m_middle_point, point)) + 2.0 * dot(offset, m_tangents) * steps();
+    const Double_intervals<d> offset = m_values - point;
+    const Double_interval direct = squared_norm(offset), by_slopes = squared_norm(m_middle_point - point) + 2.0 * dot(offset, m_tangents) * steps();
     return {(std::max)(direct.inf(), by_slopes.inf()), (std::min)(direct.sup(), by_slopes.sup())};
   }
 
   // Bounds of the derivative where the parameter is in a range that meets this part, from parts that are not much longer.
-  Double_intervals_2 tangents_over(const Parameter_range& range) const
+  Double_intervals<d> tangents_over(const Parameter_range& range) const
   {
     if ((range.first <= m_range.first && m_range.second <= range.second) || m_range.second - m_range.first <= range.second - range.first)
       return m_tangents;
-    std::optional<Double_intervals_2> result;
-    for (const Curve_tree_2& child : children())
+    std::optional<Double_intervals<d>> result;
+    for (const Curve_tree& child : children())
       if (child.m_range.first <= range.second && range.first <= child.m_range.second) {
-        const Double_intervals_2 part = child.tangents_over(range);
-        result = result ? Double_intervals_2{hull_of((*result)[0], part[0]), hull_of((*result)[1], part[1])} : part;
+        const Double_intervals<d> part = child.tangents_over(range);
+        for (std::size_t i = 0; result && i < d; ++i)
+          (*result)[i] = hull_of((*result)[i], part[i]);
+        if (!result)
+          result = part;
       }
     return *result;
   }
 
   // About how fast the point of this curve that is nearest to a point of another one moves when that does, <A', B'> / <B', B'>: any number will do.
-  double speed_along(const Curve_tree_2& other) const
+  double speed_along(const Curve_tree& other) const
   {
     const auto middle = [](const Double_interval& x) { return (x.inf() + x.sup()) / 2; };
-    const double x = middle(m_tangents[0]), y = middle(m_tangents[1]);
-    const float speed = static_cast<float>((x * middle(other.m_tangents[0]) + y * middle(other.m_tangents[1])) / (x * x + y * y));   // short, so that products are
+    double product = 0, square = 0;
+    for (std::size_t i = 0; i < d; ++i) {
+      product += middle(m_tangents[i]) * middle(other.m_tangents[i]);
+      square += middle(m_tangents[i]) * middle(m_tangents[i]);
+    }
+    const float speed = static_cast<float>(product / square);   // short, so that products are
     return std::isfinite(speed) ? speed : 0;
   }
 
 private:
   // The whole curve, or a piece of it.
-  Curve_tree_2(const Spline_patch<2>& patch, const Parameter_range& range)
+  Curve_tree(const Spline_patch<d>& patch, const Parameter_range& range)
     : m_range(range), m_middle(middle_of(range)), m_width(to_double_interval(Exact_rational(range.second - range.first)))
   {
-    const std::array<Exact_rational, 2> point = patch(patch.middle());
-    const Vector_bounds<2> values = patch.values(), tangents = patch.tangents(0);
-    for (std::size_t i = 0; i < 2; ++i) {
+    const std::array<Exact_rational, d> point = patch(patch.middle());
+    const Vector_bounds<d> values = patch.values(), tangents = patch.tangents(0);
+    for (std::size_t i = 0; i < d; ++i) {
       m_middle_point[i] = to_double_interval(point[i]);
       m_values[i] = rounded(values[i]);
       m_tangents[i] = rounded(tangents[i]);
@@ -174,9 +188,9 @@ private:
     const std::vector<Exact_rational> breaks = m_patch->breaks(0);
     for (std::size_t k = 1; k < breaks.size(); ++k) {
       const Parameter_range range(breaks[k - 1], breaks[k]);
-      const Spline_patch<2> piece = m_patch->part(0, range);
-      Curve_tree_2& child = m_children.emplace_back(Curve_tree_2(piece, range));
-      for (std::size_t i = 0; i < 2; ++i)
+      const Spline_patch<d> piece = m_patch->part(0, range);
+      Curve_tree& child = m_children.emplace_back(Curve_tree(piece, range));
+      for (std::size_t i = 0; i < d; ++i)
         child.m_numerators[i] = Bernstein_row(piece.numerators()[i]);
       if (piece.is_rational())
         child.m_weight = Bernstein_row(piece.weight());
@@ -185,9 +199,9 @@ private:
 
   void add_halves() const
   {
-    Curve_tree_2 first(*this), second(*this);
+    Curve_tree first(*this), second(*this);
     first.m_range.second = second.m_range.first = m_middle;
-    for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t i = 0; i < d; ++i)
       second.m_numerators[i] = first.m_numerators[i].split();
     if (m_weight)
       second.m_weight = first.m_weight->split();
@@ -209,7 +223,7 @@ private:
       return;
     }
     const Double_interval middle_weight = m_weight ? Bernstein_row(*m_weight).split().front() : one;
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < d; ++i) {
       m_values[i] = m_numerators[i].bounds() / weight;
       m_tangents[i] = (m_numerators[i].derivative_bounds() - m_values[i] * weight_slope) / weight / m_width;
       m_middle_point[i] = Bernstein_row(m_numerators[i]).split().front() / middle_weight;
@@ -227,26 +241,28 @@ inline bool roots_are_within(double lower, double upper, double tolerance)
 }
 
 // A point of a curve that is about as near as any to some point: the middle of a part. And a lower bound of the squared distance of that one from the curve.
+template <int d>
 struct Nearest_point
 {
   double lower;
-  const Curve_tree_2* node;
+  const Curve_tree<d>* node;
 };
 
 // By branch and bound, until the distance is known up to a tolerance, or the part that may be nearest is tiny.
-inline Nearest_point nearest_point(const Curve_tree_2& curve, const Double_intervals_2& point, double tolerance)
+template <int d>
+Nearest_point<d> nearest_point(const Curve_tree<d>& curve, const Double_intervals<d>& point, double tolerance)
 {
   struct Task
   {
-    const Curve_tree_2* node;
+    const Curve_tree<d>* node;
     double lower;
   };
   const auto is_farther = [](const Task& p, const Task& q) { return p.lower > q.lower; };
   std::vector<Task> tasks;
-  const Curve_tree_2* nearest = &curve;
-  double upper = squared_norm(difference(curve.middle_point(), point)).sup();
-  const auto push = [&](const Curve_tree_2& node) {
-    if (const double at_middle = squared_norm(difference(node.middle_point(), point)).sup(); at_middle < upper) {
+  const Curve_tree<d>* nearest = &curve;
+  double upper = squared_norm(curve.middle_point() - point).sup();
+  const auto push = [&](const Curve_tree<d>& node) {
+    if (const double at_middle = squared_norm(node.middle_point() - point).sup(); at_middle < upper) {
       upper = at_middle;
       nearest = &node;
     }
@@ -256,9 +272,9 @@ inline Nearest_point nearest_point(const Curve_tree_2& curve, const Double_inter
   push(curve);
   while (!roots_are_within(tasks.front().lower, upper, tolerance) && !tasks.front().node->is_tiny()) {
     std::pop_heap(tasks.begin(), tasks.end(), is_farther);
-    const Curve_tree_2* node = tasks.back().node;
+    const Curve_tree<d>* node = tasks.back().node;
     tasks.pop_back();
-    for (const Curve_tree_2& child : node->children())
+    for (const Curve_tree<d>& child : node->children())
       push(child);
   }
   return {(std::min)(tasks.front().lower, upper), nearest};
@@ -268,4 +284,4 @@ inline Nearest_point nearest_point(const Curve_tree_2& curve, const Double_inter
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_2_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_H

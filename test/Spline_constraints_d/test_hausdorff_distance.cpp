@@ -5,14 +5,16 @@
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/hausdorff_distance_2.h>
+#include <CGAL/Spline_constraints_d/operations/hausdorff_distance.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <utility>
@@ -25,8 +27,10 @@ using SC::Exact_rational;
 using K = CGAL::Exact_predicates_exact_constructions_kernel;
 using Curve = SC::Bspline_curve_2<K>;
 using Points = std::vector<K::Point_2>;
+using Points_3 = std::vector<K::Point_3>;
 
-void expect_within(const SC::Hausdorff_distance_2<K>& distance, double expected, double tolerance)
+template <int d>
+void expect_within(const SC::Hausdorff_distance<K, d>& distance, double expected, double tolerance)
 {
   const auto [lower, upper] = distance.distance_range();
   EXPECT_LE(lower, expected + 1e-15);
@@ -34,7 +38,7 @@ void expect_within(const SC::Hausdorff_distance_2<K>& distance, double expected,
   EXPECT_LE(upper - lower, tolerance * (1 + 1e-9));
 }
 
-TEST(Hausdorff_distance_2, Segments)
+TEST(Hausdorff_distance, Segments)
 {
   const Curve a = SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)), b = SC::segment_curve(K::Point_2(1, 1), K::Point_2(9, 1));
   expect_within(SC::one_sided_hausdorff_distance(a, b, 1e-9), std::sqrt(2.0), 1e-9);
@@ -46,7 +50,7 @@ TEST(Hausdorff_distance_2, Segments)
   EXPECT_EQ(SC::hausdorff_distance(b, a, 1e-9).curve(), 0u);
 }
 
-TEST(Hausdorff_distance_2, Circles)
+TEST(Hausdorff_distance, Circles)
 {
   const Curve circle = SC::circle_curve(K::Point_2(0, 0), K::FT(2));
   expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(0, 0), K::FT(3)), 1e-4), 1, 1e-4);   // everywhere
@@ -55,7 +59,7 @@ TEST(Hausdorff_distance_2, Circles)
 }
 
 // Curves that are the same, in parts or with other parameters, and one that is nearly the same.
-TEST(Hausdorff_distance_2, Coincident)
+TEST(Hausdorff_distance, Coincident)
 {
   const Curve arc = SC::circle_curve(K::Point_2(0, 0), K::FT(2)).restricted(0, 1);
   expect_within(SC::hausdorff_distance(arc, arc.reversed(), 1e-5), 0, 1e-5);
@@ -89,7 +93,7 @@ double sampled(const Curve& a, const Curve& b, int steps)
   return farthest;
 }
 
-TEST(Hausdorff_distance_2, AgainstSamples)
+TEST(Hausdorff_distance, AgainstSamples)
 {
   std::mt19937 random(23);
   const auto points = [&](int count) {
@@ -119,7 +123,7 @@ TEST(Hausdorff_distance_2, AgainstSamples)
 }
 
 // The farthest point of the segment is equally far from two corners.
-TEST(Hausdorff_distance_2, EquidistantPoint)
+TEST(Hausdorff_distance, EquidistantPoint)
 {
   const Curve segment = SC::segment_curve(K::Point_2(-5, 0), K::Point_2(5, 0)), tent = SC::polyline_curve(Points{{-5, 0}, {-3, 0}, {0, 50}, {3, 0}, {5, 0}});
   const auto distance = SC::one_sided_hausdorff_distance(segment, tent, 1e-9);
@@ -127,7 +131,64 @@ TEST(Hausdorff_distance_2, EquidistantPoint)
   EXPECT_NEAR(CGAL::to_double(distance.parameter(0)), 0.5, 1e-6);
 }
 
-TEST(Hausdorff_distance_2, BadInput)
+TEST(Hausdorff_distance, SegmentsInSpace)
+{
+  const auto a = SC::segment_curve(K::Point_3(0, 0, 0), K::Point_3(4, 0, 0)), b = SC::segment_curve(K::Point_3(1, 1, 1), K::Point_3(9, 1, 1));
+  expect_within(SC::one_sided_hausdorff_distance(a, b, 1e-9), std::sqrt(3.0), 1e-9);
+  const auto distance = SC::hausdorff_distance(a, b, 1e-9);
+  expect_within(distance, std::sqrt(27.0), 1e-9);
+  EXPECT_EQ(distance.curve(), 1u);
+  EXPECT_NEAR(CGAL::to_double(distance.point(1).x()), 9, 1e-8);
+  const auto skew = SC::segment_curve(K::Point_3(2, -5, 3), K::Point_3(2, 5, 3));   // their common perpendicular is at x = 2
+  expect_within(SC::one_sided_hausdorff_distance(a, skew, 1e-9), std::sqrt(13.0), 1e-9);
+  expect_within(SC::hausdorff_distance(a, skew, 1e-9), std::sqrt(34.0), 1e-9);
+}
+
+TEST(Hausdorff_distance, CirclesInSpace)
+{
+  const K::Vector_3 up(0, 0, 1);
+  const auto circle = [&](int height, int radius) { return SC::circle_curve(K::Point_3(0, 0, height), up, K::Point_3(radius, 0, height)); };
+  expect_within(SC::hausdorff_distance(circle(0, 2), circle(3, 2), 1e-3), 3, 1e-3);   // everywhere
+  expect_within(SC::hausdorff_distance(circle(0, 2), circle(4, 5), 1e-3), 5, 1e-3);
+  const auto axis = SC::segment_curve(K::Point_3(0, 0, -4), K::Point_3(0, 0, 4));
+  expect_within(SC::one_sided_hausdorff_distance(circle(0, 3), axis, 1e-3), 3, 1e-3);
+  expect_within(SC::one_sided_hausdorff_distance(axis, circle(0, 3), 1e-3), 5, 1e-3);   // its ends have all points of the circle as nearest ones
+  // Linked circles: all points of both are at the distance 2 from the other one.
+  const auto linked = SC::circle_curve(K::Point_3(2, 0, 0), K::Vector_3(0, 1, 0), K::Point_3(4, 0, 0));
+  expect_within(SC::hausdorff_distance(linked, circle(0, 2), 1e-3), 2, 1e-3);
+}
+
+// The same answer for planar curves that are embedded in space by a rotation with rational entries.
+TEST(Hausdorff_distance, RotatedPlanes)
+{
+  std::mt19937 random(29);
+  const auto number = [&](int range) { return static_cast<int>(random() % (2 * range + 1)) - range; };
+  for (int round = 0; round < 6; ++round) {
+    // Of the quaternion q, with columns of length 1.
+    const K::FT q0(number(5)), q1(number(5)), q2(number(5)), q3(1 + number(2) * 2), n = q0 * q0 + q1 * q1 + q2 * q2 + q3 * q3;
+    const K::Vector_3 e(K::FT((q0 * q0 + q1 * q1 - q2 * q2 - q3 * q3) / n), K::FT(2 * (q1 * q2 + q0 * q3) / n), K::FT(2 * (q1 * q3 - q0 * q2) / n));
+    const K::Vector_3 f(K::FT(2 * (q1 * q2 - q0 * q3) / n), K::FT((q0 * q0 - q1 * q1 + q2 * q2 - q3 * q3) / n), K::FT(2 * (q2 * q3 + q0 * q1) / n));
+    ASSERT_TRUE(e * e == 1 && f * f == 1 && e * f == 0);
+    std::array<Points, 2> flat;
+    std::array<Points_3, 2> embedded;
+    std::array<std::vector<K::FT>, 2> weights;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (int k = 0; k < 4; ++k) {
+        const int x = number(10), y = number(10);
+        flat[i].emplace_back(x, y);
+        embedded[i].push_back(K::Point_3(1, -2, 3) + K::FT(x) * e + K::FT(y) * f);
+        weights[i].push_back(1 + round % 2 * k);
+      }
+    const auto in_plane = SC::hausdorff_distance(SC::bezier_curve(flat[0], weights[0]), SC::bezier_curve(flat[1], weights[1]), 1e-7);
+    const auto in_space = SC::hausdorff_distance(SC::bezier_curve(embedded[0], weights[0]), SC::bezier_curve(embedded[1], weights[1]), 1e-7);
+    EXPECT_GT(in_plane.distance_range().first, 0);
+    EXPECT_LE(in_space.distance_range().second - in_space.distance_range().first, 1e-7 * (1 + 1e-9));
+    EXPECT_TRUE(in_plane.distance_range().first <= in_space.distance_range().second && in_space.distance_range().first <= in_plane.distance_range().second) << round;
+    EXPECT_EQ(in_plane.curve(), in_space.curve()) << round;
+  }
+}
+
+TEST(Hausdorff_distance, BadInput)
 {
   const Curve segment = SC::segment_curve(K::Point_2(0, 0), K::Point_2(1, 0));
   for (const double tolerance : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})

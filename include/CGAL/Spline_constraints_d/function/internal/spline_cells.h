@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SPLINE_CELLS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SPLINE_CELLS_H
+
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/knot_vector.h>
+#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+A tensor product spline as Bézier pieces, one for each cell of a grid of breaks, and back. Cells along each axis lie behind each other in one dense tensor: all Bézier points of the first cell, then those
+of the second, ...
+*/
+
+template <class NT>
+using Break_grid = std::vector<std::vector<Break<NT>>>;
+
+// The control points seen as a dense tensor: its index bounds, as degrees.
+template <class NT>
+std::vector<int> extents(const std::vector<Knot_axis<NT>>& axes)
+{
+  std::vector<int> result;
+  for (const Knot_axis<NT>& axis : axes)
+    result.push_back(static_cast<int>(axis.size()) - 1);
+  return result;
+}
+
+// One less than the number of cells of each axis.
+template <class NT>
+std::vector<int> last_cells(const Break_grid<NT>& breaks)
+{
+  std::vector<int> result;
+  for (const auto& axis : breaks)
+    result.push_back(static_cast<int>(axis.size()) - 2);
+  return result;
+}
+
+template <class NT>
+std::vector<int> stacked_extents(const std::vector<int>& degrees, const Break_grid<NT>& breaks)
+{
+  std::vector<int> result;
+  for (std::size_t j = 0; j < degrees.size(); ++j)
+    result.push_back((degrees[j] + 1) * (static_cast<int>(breaks[j].size()) - 1) - 1);
+  return result;
+}
+
+inline std::vector<int> first_of_cell(std::vector<int> cell, const std::vector<int>& degrees)
+{
+  for (std::size_t j = 0; j < cell.size(); ++j)
+    cell[j] *= degrees[j] + 1;
+  return cell;
+}
+
+// The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is as fine as the knots at least.
+template <class NT>
+std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT>>& axes, std::vector<NT> data, const Break_grid<NT>& breaks)
+{
+  std::vector<int> degrees, extent = extents(axes);
+  for (const Knot_axis<NT>& axis : axes)
+    degrees.push_back(axis.degree);
+  const std::vector<int> stacked = stacked_extents(degrees, breaks);
+  for (std::size_t j = 0; j < axes.size(); ++j) {
+    if (breaks[j].size() > 2 || !axes[j].is_clamped())   // else they are the Bézier points already
+      data = transform_axis(data, axis_view(extent, j), extraction_matrix(axes[j], breaks[j]));
+    extent[j] = stacked[j];
+  }
+  std::vector<Bernstein_tensor<NT>> pieces;
+  for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
+    pieces.emplace_back(degrees, tensor_block(data, stacked, first_of_cell(cell, degrees), degrees));
+  });
+  return pieces;
+}
+
+// The spline with these pieces, as clamped axes and control points. It is as smooth at the breaks as their multiplicities promise.
+template <class NT>
+std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells(const std::vector<int>& degrees, const Break_grid<NT>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
+{
+  std::vector<int> extent = stacked_extents(degrees, breaks);
+  std::vector<NT> data(checked_tensor_size<NT>(extent, "Bspline_function"), NT(0));
+  auto piece = pieces.begin();
+  for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
+    place_tensor_block(data, extent, first_of_cell(cell, degrees), (piece++)->coefficients(), degrees);
+  });
+  std::vector<Knot_axis<NT>> axes;
+  for (std::size_t j = 0; j < degrees.size(); ++j) {
+    axes.push_back(clamped(degrees[j], breaks[j]));
+    if (breaks[j].size() > 2)
+      data = transform_axis(data, axis_view(extent, j), assembly_matrix(axes[j], breaks[j]));
+    extent[j] = static_cast<int>(axes[j].size()) - 1;
+  }
+  return {std::move(axes), std::move(data)};
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_INTERNAL_SPLINE_CELLS_H
