@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
