@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many pieces, and of splines and polylines with themselves; curves of
-// solutions.
+// solutions; intersection curves of surfaces; bisectors and envelopes.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 #include <CGAL/Spline_constraints_d/operations/self_intersections.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
@@ -138,6 +142,61 @@ void sphere_and_cylinder(benchmark::State& state)
     benchmark::DoNotOptimize(SC::solve_curves(system));
 }
 
+using Surface = SC::Bspline_surface_3<K>;
+
+// A bicubic Bézier surface over the grid of its control points: ten times the humps, and a rough one.
+Surface bicubic_surface(double humps, double roughness, double height)
+{
+  constexpr double hump[] = {-1, 5, -5, 1}, rough[4][4] = {{1, 3, 9, -2}, {2, -1, -4, 8}, {-6, -9, 6, -7}, {4, -7, 4, 8}};
+  std::vector<K::Point_3> points;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      points.emplace_back(i, j, humps * 10 * (hump[i] + hump[j]) + roughness * rough[i][j] + height);
+  return Surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
+}
+
+template <class A, class B>
+void surface_intersection(benchmark::State& state, const A& a, const B& b)
+{
+  std::size_t curves = 0, points = 0;
+  for (auto _ : state) {
+    const auto set = SC::intersection_curves(a, b);
+    curves = set.curves().size();
+    points = 0;
+    if (state.range(0) == 1)
+      for (const SC::Intersection_curve& curve : set.curves())
+        points += set.polyline(curve, 1e-3).size();
+  }
+  state.counters["curves"] = static_cast<double>(curves);
+  state.counters["points"] = static_cast<double>(points);
+}
+
+const Curve lower_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {1, 2}, {2, -2}, {3, 0}}), upper_cubic = SC::bezier_curve(std::vector<K::Point_2>{{0, 3}, {1, 5}, {2, 2}, {3, 4}});
+
+template <class Operation>
+void locus_of_two_cubics(benchmark::State& state, const Operation& operation)
+{
+  std::size_t curves = 0, nodes = 0, points = 0;
+  for (auto _ : state) {
+    const auto locus = operation(lower_cubic, upper_cubic);
+    curves = locus.curves().size();
+    nodes = locus.summary().nodes;
+    points = 0;
+    if (state.range(0) == 1)
+      for (const auto& arc : locus.curves())
+        points += locus.polyline(arc, 1e-3, 10).size();
+  }
+  state.counters["curves"] = static_cast<double>(curves);
+  state.counters["nodes"] = static_cast<double>(nodes);
+  state.counters["points"] = static_cast<double>(points);
+}
+
+const auto bisector = [](const Curve& a, const Curve& b) { return SC::bisector_curves(a, b); };
+const auto envelope = [](const Curve& a, const Curve& b) { return SC::envelope_curves(a, b); };
+
+const Surface humps = bicubic_surface(1, 0, 0), rough_humps = bicubic_surface(1, 1, 0), rough_plane = bicubic_surface(0, 1, 19);
+const K::Aff_transformation_3 turn(1, 0, 0, 0, 0, 0.6, -0.8, 0, 0, 0.8, 0.6, 0);
+
 } // namespace
 
 BENCHMARK(segments_with_segments)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
@@ -147,3 +206,9 @@ BENCHMARK(spline_with_itself)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMi
 BENCHMARK(polyline_with_itself)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
 BENCHMARK(chebyshev_contours)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_and_cylinder)->ArgName("2c")->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, bisector, bisector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, envelope, envelope)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, bicubic_and_plane, humps, K::Plane_3(0, 0, 1, -19))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, height_fields, rough_humps, rough_plane)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, turned, rough_humps.transformed(turn), rough_plane.transformed(turn))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(surface_intersection, torus_and_sphere, SC::torus_surface<K>(K::Point_3(0, 0, 0), 3, 1), K::Sphere_3(K::Point_3(3, 0.25, 0.5), 3))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

@@ -3,10 +3,10 @@
 
 // All curves that two B-spline surfaces have in common.
 //
-//   surface_intersection [A B] [--output FILE.svg|FILE.vtp|FILE.txt]
+//   surface_intersection [A B] [--output FILE.svg|FILE.vtp]
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg), or
-// written as polylines (.vtp for ParaView, .txt). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+// written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "surface_intersection_output.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -43,12 +43,8 @@ void write(const std::string& path, const Surface& a, const Surface& b, const st
     for (const auto& polyline : polylines)
       scene.add(polyline, "#c00020");
     scene.write(out);
-  } else if (path.ends_with(".vtp"))
+  } else
     SC::IO::write_VTP(out, polylines);
-  else
-    for (const auto& polyline : polylines)
-      for (const K::Point_3& p : polyline)
-        out << p << (&p == &polyline.back() ? "\n\n" : "\n");
 }
 
 int main(int argc, char* argv[])
@@ -64,7 +60,7 @@ int main(int argc, char* argv[])
     if (files.empty())
       files = {DATA_DIRECTORY "surfaces/waves.g2", DATA_DIRECTORY "surfaces/ring.g2"};
     if (files.size() != 2)
-      throw SC::Invalid_input("usage: surface_intersection [A B] [--output FILE.svg|FILE.vtp|FILE.txt]");
+      throw SC::Invalid_input("usage: surface_intersection [A B] [--output FILE.svg|FILE.vtp]");
     const Surface a = read_surface(files[0]), b = read_surface(files[1]);
     const auto set = SC::intersection_curves(a, b);
     std::vector<std::vector<K::Point_3>> polylines;

@@ -33,7 +33,7 @@ class Scene
   std::vector<Patch> m_patches;
   CGAL::Bbox_2 m_box;
 
-  static constexpr int tiles = 24;   // per axis
+  static constexpr int tiles = 28;   // per axis
 
 public:
   void add(const Surface& surface, const std::array<double, 3>& color)
@@ -74,16 +74,18 @@ public:
 private:
   static std::string shaded(const std::array<double, 3>& color, double light)
   {
-    std::string result = "rgb(";
-    for (int i = 0; i < 3; ++i)
-      result += std::to_string(static_cast<int>(color[i] * light)) + (i < 2 ? "," : ")");
+    std::string result = "#";
+    for (const double part : color)
+      for (const int digit : {static_cast<int>(part * light) / 16, static_cast<int>(part * light) % 16})
+        result += "0123456789abcdef"[digit];
     return result;
   }
 
   // The viewer looks from above, turned by 30 degrees.
   void add_patch(const std::vector<K::Point_3>& corners, const std::string& color, double nearer)
   {
-    constexpr double turn = 0.52, rise = 0.6, grid = 1024;
+    constexpr double turn = 0.52, rise = 0.6;
+    const double grid = corners.size() == 2 ? 1024 : 100;   // for short numbers in the file
     Patch patch{nearer, {}, color};
     for (const K::Point_3& p : corners) {
       const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(), away = std::sin(turn) * p.x() + std::cos(turn) * p.y();

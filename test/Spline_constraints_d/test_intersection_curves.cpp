@@ -11,9 +11,11 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
@@ -23,6 +25,11 @@ using Point = K::Point_3;
 using Vector = K::Vector_3;
 using Surface = SC::Bspline_surface_3<K>;
 using Intersection = SC::Surface_intersection<K>;
+
+static_assert(!SC::internal::Surface_pair<K::Plane_3, K::Plane_3>);
+static_assert(!SC::internal::Surface_pair<K::Plane_3, CGAL::Simple_cartesian<double>::Sphere_3>);
+static_assert(SC::internal::Surface_pair<K::Plane_3, SC::Implicit_surface_3>);
+static_assert(std::same_as<decltype(SC::intersection_curves(std::declval<SC::Implicit_surface_3>(), std::declval<K::Plane_3>())), Intersection>);
 
 namespace {
 

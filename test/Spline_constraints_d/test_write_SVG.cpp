@@ -131,3 +131,13 @@ TEST(Write_SVG, views_without_extent_are_refused)
 }
 
 } // namespace
+
+TEST(Write_SVG, polygons)
+{
+  std::ostringstream out;
+  {
+    SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 2, 1), 100);
+    writer.polygon(std::vector<Point>{Point(0, 0), Point(2, 0), Point(0.5, 1)}, "red");
+  }
+  EXPECT_NE(out.str().find("<path d='M0 0L2 0L0.5 1Z' fill='red'"), std::string::npos);
+}

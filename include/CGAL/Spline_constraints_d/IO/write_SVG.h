@@ -83,7 +83,7 @@ std::string coordinate_text(const Point& p)
 /*!
 \ingroup PkgSplineConstraintsDIO
 
-Draws curves, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
+Draws curves, polygons, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
 
 Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the
 drawing
@@ -145,13 +145,13 @@ public:
     m_out << "<path d='M" << internal::coordinate_text(p) << "h0' stroke-linecap='round' " << stroke(color, diameter) << "/>\n";
   }
 
-  //! fills a polygon; an edge of a fifth of a pixel closes the gap to its neighbours.
+  //! fills a polygon, its corners rounded to double; an edge of a fifth of a pixel closes the gap to its neighbours.
   template <SplineKernel Kernel>
   void polygon(const std::vector<CGAL::Point_2<Kernel>>& points, const std::string& color)
   {
     const char* command = "<path d='M";
     for (const CGAL::Point_2<Kernel>& p : points) {
-      m_out << command << internal::coordinate_text(p);
+      m_out << command << internal::double_text(internal::converted_number<double>(p.x())) << ' ' << internal::double_text(internal::converted_number<double>(p.y()));
       command = "L";
     }
     m_out << "Z' fill='" << color << "' " << stroke(color, 0.2) << "/>\n";

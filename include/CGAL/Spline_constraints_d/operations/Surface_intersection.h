@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_INTERSECTION_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/operations/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/Surface_intersection_point.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -14,72 +14,12 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
-A point that two surfaces have in common and that is not just one of many along a curve: where a curve ends, a singular point, or a single point. Its parameters lie in ranges that are proved to hold them.
-
-\tparam Kernel a `SplineKernel`.
-*/
-template <SplineKernel Kernel>
-class Surface_intersection_point
-{
-public:
-  //! a closed range of a parameter.
-  using Range = std::pair<Exact_rational, Exact_rational>;
-  //! the points of the kernel.
-  using Point = typename Kernel::Point_3;
-
-private:
-  Intersection_kind m_kind;
-  std::array<std::vector<Range>, 2> m_ranges;   // of parametric surfaces
-  std::array<std::array<bool, 2>, 2> m_is_at_end{};
-  Point m_point;
-
-public:
-#ifndef DOXYGEN_RUNNING
-  Surface_intersection_point(const internal::Surface_equations& surfaces, Intersection_kind kind, const Curve_vertex::Exact_box& box) : m_kind(kind)
-  {
-    std::vector<Exact_rational> middle;
-    for (const Range& range : box)
-      middle.push_back(internal::middle_of(range));
-    m_point = internal::kernel_object<Kernel, Point>(surfaces.point(middle));
-    for (std::size_t surface = 0; surface < 2; ++surface)
-      for (int axis = 0; axis < 2 && surfaces.is_parametric(surface); ++axis) {
-        const internal::Affine_function& parameter = surfaces.parameter(surface, axis);
-        const Range range = parameter.of(box[parameter.unknown]), domain = surfaces.parameter_domain(surface, axis);
-        m_ranges[surface].push_back(range);
-        m_is_at_end[surface][axis] = range.first == range.second && (range.first == domain.first || range.first == domain.second);
-      }
-  }
-#endif
-
-  //! `END_POINT` on an edge of a surface, or of the box of an implicit one; `TANGENT` where the surfaces have a common tangent plane, or one is singular; `UNDECIDED` where nothing is proved.
-  Intersection_kind kind() const { return m_kind; }
-
-  //! whether a surface, 0 or 1, has parameters: planes, spheres and implicit surfaces have none.
-  bool has_parameters(std::size_t surface) const { return !m_ranges[surface].empty(); }
-
-  //! the range that the parameter of a surface along an axis, 0 or 1, lies in. \pre It has parameters.
-  const Range& parameter_range(std::size_t surface, std::size_t axis) const { return m_ranges[surface][axis]; }
-
-  //! the middle of the range, rounded to double. \pre It has parameters.
-  double parameter(std::size_t surface, std::size_t axis) const { return to_nearest_double(internal::middle_of(m_ranges[surface][axis])); }
-
-  //! whether it is at an end of the range of a parameter: on an edge or a seam, by proof.
-  bool is_at_end(std::size_t surface, std::size_t axis) const { return m_is_at_end[surface][axis]; }
-
-  //! the point in the middle of the ranges.
-  const Point& point() const { return m_point; }
-};
 
 /*!
 \ingroup PkgSplineConstraintsDOperations

@@ -12,12 +12,6 @@
 
 namespace CGAL {
 namespace Spline_constraints {
-namespace internal {
-
-template <class Surface>
-concept Surface_object = requires(const Surface& surface) { surface_shape(surface); };
-
-} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
@@ -33,7 +27,8 @@ A curve that crosses the seam of a closed surface is joined there: both ends are
 The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Other contacts are undecided, and
 so are pieces of surface that coincide, curves along an edge, seam or break, and what is near a pole that lies on the other surface.
 
-\tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel; `Implicit_surface_3` goes with any.
+\tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel, which is that of the result; `Implicit_surface_3` goes with any, two of them have results in
+        `CGAL::Simple_cartesian<double>`.
 \param a the first surface.
 \param b the second surface.
 \param options those of `solve_curves()`.
@@ -42,7 +37,7 @@ so are pieces of surface that coincide, curves along an edge, seam or break, and
 Complexity: that of `solve_curves()`; of splines with many pieces only those whose bounds meet are looked at. Source: seed 002.
 */
 template <class A, class B>
-  requires internal::Surface_object<A> && internal::Surface_object<B>
+  requires internal::Surface_pair<A, B>
 Surface_intersection<internal::Common_surface_kernel<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();

@@ -32,7 +32,7 @@ Intersections<Kernel, d> intersections_of(const Patch_pair<d>& pair, const Solve
 \ingroup PkgSplineConstraintsDOperations
 
 all common points of two operands, each a point, a curve or a surface: the solutions of \f$A(u) = B(v)\f$, in the plane for points and curves, in space also for a point or curve with a surface. Two
-surfaces have curves in common; where they touch in points, `contact_points()` finds these.
+surfaces have curves in common, see `intersection_curves()`; where they touch in points, `contact_points()` finds these.
 
 A common point is reported once for each pair of parameters: where an operand crosses itself, there are several. On the seam of a closed operand, where two parameters stand for one point, it is the
 lower one. At a pole of a surface, an edge that is one point, a whole range stands for it, which is one answer. A point on a knot is found once.

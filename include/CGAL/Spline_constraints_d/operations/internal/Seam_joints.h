@@ -4,47 +4,19 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
 
+#include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
-A part of an intersection curve without seams inside of it.
-*/
-struct Intersection_arc
-{
-  //! the index of the curve in `Surface_intersection::solutions()`.
-  std::size_t index;
-
-  //! whether it is passed from its end to its begin.
-  bool is_reversed;
-};
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
-A connected curve that two surfaces have in common.
-*/
-struct Intersection_curve
-{
-  //! its arcs, in order; each begins in the point where the one before ends.
-  std::vector<Intersection_arc> arcs;
-
-  //! whether the last arc ends where the first one begins.
-  bool is_closed;
-};
-
 namespace internal {
 
 /*
@@ -56,7 +28,7 @@ round, the two are the same point: its vertex on the other face has a box that h
 class Seam_joints
 {
   const Curve_solution_set_d& m_set;
-  std::vector<std::size_t> m_point;                            // of each vertex, a vertex that is the same point in space
+  std::vector<std::size_t> m_point;                               // of each vertex, a vertex that is the same point in space
   std::vector<std::vector<std::pair<std::size_t, int>>> m_ends;   // per such point: the curves that end there, and with which end
   bool m_is_complete = true;
 

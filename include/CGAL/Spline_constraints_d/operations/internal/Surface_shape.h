@@ -114,6 +114,19 @@ struct Surface_kernel<Implicit_surface_3>
 template <class A, class B, class Kernel_a = typename Surface_kernel<A>::type, class Kernel_b = typename Surface_kernel<B>::type>
 using Common_surface_kernel = std::conditional_t<!std::same_as<Kernel_a, void>, Kernel_a, std::conditional_t<!std::same_as<Kernel_b, void>, Kernel_b, CGAL::Simple_cartesian<double>>>;
 
+template <class Surface>
+inline constexpr bool is_unbounded_surface = false;
+
+template <class K>
+inline constexpr bool is_unbounded_surface<CGAL::Plane_3<K>> = true;
+
+// Two surfaces, not both unbounded, without different kernels.
+template <class A, class B>
+concept Surface_pair = requires(const A& a, const B& b) {
+  surface_shape(a);
+  surface_shape(b);
+} && !(is_unbounded_surface<A> && is_unbounded_surface<B>) && std::same_as<Common_surface_kernel<A, B>, Common_surface_kernel<B, A>>;
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
