@@ -183,8 +183,8 @@ void locus_of_two_cubics(benchmark::State& state, const Operation& operation)
     nodes = locus.summary().nodes;
     points = 0;
     if (state.range(0) == 1)
-      for (const auto& arc : locus.curves())
-        points += locus.polyline(arc, 1e-3, 10).size();
+      for (const auto& curve : locus.curves())
+        points += locus.polyline(curve, 1e-3, 10).size();
   }
   state.counters["curves"] = static_cast<double>(curves);
   state.counters["nodes"] = static_cast<double>(nodes);

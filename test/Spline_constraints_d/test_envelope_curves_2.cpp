@@ -29,8 +29,8 @@ std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, b
 {
   const SC::Spline_map<1, 2> maps[2] = {SC::Spline_map<1, 2>(c1), SC::Spline_map<1, 2>(c2)};
   std::size_t points = 0;
-  for (const Locus::Arc& arc : locus.curves())
-    for (const auto& sample : locus.polyline(arc, 1e-2, 100)) {
+  for (const Locus::Curve& curve : locus.curves())
+    for (const auto& sample : locus.polyline(curve, 1e-2, 100)) {
       ++points;
       double sum[2] = {0, 0}, tangent[2][2];
       for (const int i : {0, 1}) {
@@ -73,14 +73,16 @@ TEST(Envelope_curves_2, circles)
 {
   const Curve large = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 4)), small = SC::to_bspline_curve(K::Circle_2(Point(5, 1), 1));
   const Locus sum = SC::envelope_curves(large, small), both = SC::envelope_curves(large, small, SC::Tangent_directions::ANY);
-  EXPECT_TRUE(sum.is_complete()) << sum;
-  EXPECT_TRUE(both.is_complete()) << both;
-  EXPECT_GT(both.curves().size(), sum.curves().size());
+  for (const Locus* locus : {&sum, &both}) {
+    EXPECT_TRUE(locus->is_complete()) << *locus;
+    EXPECT_EQ(locus->number_of_open_curves(), 0u);
+    EXPECT_EQ(locus->number_of_closed_curves(), locus == &sum ? 1u : 2u);
+  }
   EXPECT_GT(check_points(sum, large, small, true), 20u);
   EXPECT_GT(check_points(both, large, small, false), 40u);
   for (const Locus* locus : {&sum, &both})
-    for (const Locus::Arc& arc : locus->curves())
-      for (const auto& sample : locus->polyline(arc, 1e-2, 100)) {
+    for (const Locus::Curve& curve : locus->curves())
+      for (const auto& sample : locus->polyline(curve, 1e-2, 100)) {
         const double radius = std::hypot(CGAL::to_double(sample.point.x()) - 5, CGAL::to_double(sample.point.y()) - 1);
         EXPECT_NEAR(locus == &sum ? radius - 3 : (radius - 3) * (radius - 1), 0, 1e-12);
       }

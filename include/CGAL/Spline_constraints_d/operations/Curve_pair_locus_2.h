@@ -7,6 +7,8 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
@@ -80,7 +82,7 @@ struct Curve_pair_sample
 
 Curves in the plane whose points belong to one point on each of two curves: their bisector, for example. They are the solutions of an equation in both parameters, with a proved topology.
 
-A curve of the result ends where one of the parameters is at the end of a smooth part, in a singular point, or at infinity.
+A curve of the result ends where one of the parameters is at the end of a smooth part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -100,10 +102,11 @@ public:
   };
 
   //! one of the curves.
-  struct Arc
+  struct Curve
   {
-    std::size_t part;
-    Solution_curve curve;   ///< in the plane of the parameters; vertices are those of the part's solutions
+    std::size_t part;                     ///< the index of the two smooth parts
+    std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in the part's solutions
+    bool is_closed;                       ///< whether the last arc ends where the first one begins
   };
 
   //! a point of the plane that belongs to two points, with the derivatives there.
@@ -112,7 +115,7 @@ public:
 private:
   Point_of_pair m_point;
   std::vector<Part> m_parts;
-  std::vector<Arc> m_arcs;
+  std::vector<Curve> m_curves;
   std::vector<Curve_vertex> m_singular_points;
   std::vector<Undecided_region> m_undecided;
   std::size_t m_poles = 0;
@@ -122,7 +125,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   explicit Curve_pair_locus_2(Point_of_pair point) : m_point(std::move(point)) {}
 
-  // The solutions for two smooth parts, and those where the point is at infinity.
+  // The solutions for two smooth parts, and those where the point is at infinity. On both ends of a closed part, the equation has the same solutions.
   void add(const internal::Differentiated_map& first, const internal::Differentiated_map& second, const Constraint_system_d& system, const Curve_solution_set_d& solutions,
            const std::vector<Solution_d<double>>& points_at_infinity)
   {
@@ -132,8 +135,13 @@ public:
     const std::size_t multiple = rest.size();
     m_parts.push_back({first, second, system, internal::Curve_cuts(solutions)(poles, rest)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
-    for (const Solution_curve& curve : set.curves())
-      m_arcs.push_back({m_parts.size() - 1, curve});
+    std::vector<std::size_t> closed_unknowns;
+    for (const std::size_t k : {0, 1})
+      if (const internal::Differentiated_map& curve = k == 0 ? first : second; curve.map().is_closed() && internal::have_common_tangent(curve, curve))
+        closed_unknowns.push_back(k);
+    const internal::Seam_joints joints(system, set, closed_unknowns);
+    for (Intersection_curve& curve : joints.curves())
+      m_curves.push_back({m_parts.size() - 1, std::move(curve.arcs), curve.is_closed});
     for (const std::size_t i : set.singular_points())
       m_singular_points.push_back(set.vertices()[i]);
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
@@ -142,7 +150,7 @@ public:
     m_poles += poles.size() + multiple - rest.size();
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
-    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty();
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.is_complete();
   }
 
   void add_work(const Summary& work)
@@ -154,16 +162,16 @@ public:
 #endif
 
   //! the curves, one after the other by smooth parts.
-  const std::vector<Arc>& curves() const { return m_arcs; }
+  const std::vector<Curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
   std::size_t number_of_closed_curves() const
   {
-    return static_cast<std::size_t>(std::count_if(m_arcs.begin(), m_arcs.end(), [](const Arc& arc) { return arc.curve.is_closed; }));
+    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Curve& curve) { return curve.is_closed; }));
   }
 
   //! number of curves that are not closed.
-  std::size_t number_of_open_curves() const { return m_arcs.size() - number_of_closed_curves(); }
+  std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
   //! where curves cross in the plane of the parameters, or isolated solutions.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
@@ -181,31 +189,39 @@ public:
   const Summary& summary() const { return m_summary; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
-  bool ends_at_infinity(const Arc& arc, int side) const
+  bool ends_at_infinity(const Curve& curve, int side) const
   {
-    const Curve_piece& piece = side == 0 ? arc.curve.pieces.front() : arc.curve.pieces.back();
-    return !arc.curve.is_closed && is_at_infinity(arc, piece.ends[side]);
+    const Intersection_arc& arc = side == 0 ? curve.arcs.front() : curve.arcs.back();
+    const Curve_solution_set_d& set = m_parts[curve.part].solutions;
+    const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
+    return !curve.is_closed && m_poles > 0 && set.vertices()[(side == 0) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]].is_on_inequality;
   }
 
   /*!
   points along a curve, so many that it passes the middles of their chords at no more than a given distance. Far from the origin a larger distance will do: all is seen in the stereographic projection to a sphere
-  of the given radius. Ends at infinity are left out.
-  \param arc one of the curves.
+  of the given radius. Ends at infinity are left out; a point on a seam comes twice, with the parameters on both sides.
+  \param curve one of the curves.
   \param error the distance; positive.
   \param radius the distance from the origin from which on less precision is needed; positive.
   \throws Invalid_input when a distance is not positive.
   */
-  std::vector<Sample> polyline(const Arc& arc, double error, double radius) const
+  std::vector<Sample> polyline(const Curve& curve, double error, double radius) const
   {
     if (!(error > 0) || !(radius > 0))
       throw Invalid_input("Curve_pair_locus_2: the error and the radius must be positive");
-    const Part& part = m_parts[arc.part];
+    const Part& part = m_parts[curve.part];
     const auto seen = [&](const std::vector<double>& parameters) { return internal::on_sphere(point(part, parameters), radius); };
     const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(seen(from), seen(between), seen(to)) <= error; };
-    std::vector<std::vector<double>> points = internal::curve_points(part.system, part.solutions, arc.curve, is_chord);
-    if (ends_at_infinity(arc, 0))
+    std::vector<std::vector<double>> points;
+    for (const Intersection_arc& arc : curve.arcs) {
+      std::vector<std::vector<double>> more = internal::curve_points(part.system, part.solutions, part.solutions.curves()[arc.index], is_chord);
+      if (arc.is_reversed)
+        std::reverse(more.begin(), more.end());
+      points.insert(points.end(), more.begin(), more.end());
+    }
+    if (ends_at_infinity(curve, 0))
       points.erase(points.begin());
-    if (ends_at_infinity(arc, 1))
+    if (ends_at_infinity(curve, 1))
       points.pop_back();
     std::vector<Sample> result;
     for (const std::vector<double>& parameters : points) {
@@ -216,8 +232,6 @@ public:
   }
 
 private:
-  bool is_at_infinity(const Arc& arc, std::size_t vertex) const { return m_poles > 0 && m_parts[arc.part].solutions.vertices()[vertex].is_on_inequality; }
-
   internal::Double_pair point(const Part& part, const std::vector<double>& parameters) const
   {
     return m_point(internal::jet_at(part.first, parameters[0]), internal::jet_at(part.second, parameters[1]));

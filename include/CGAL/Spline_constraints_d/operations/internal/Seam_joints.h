@@ -97,11 +97,11 @@ private:
     return m_point[side == 0 ? pieces.front().ends[0] : pieces.back().ends[1]];
   }
 
-  // Two curves end there, neither in a singular point nor in an undecided region.
+  // Two curves end there, neither in a singular point nor in an undecided region, nor where they were cut.
   bool goes_on(std::size_t point) const
   {
     const auto is_it = [&](std::size_t i) { return m_point[i] == point; };
-    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular &&
+    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular && !m_set.vertices()[point].is_on_inequality &&
            std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) { return std::any_of(region.vertices.begin(), region.vertices.end(), is_it); });
   }
 
