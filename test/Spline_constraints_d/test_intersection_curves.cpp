@@ -267,6 +267,23 @@ TEST(Intersection_curves, height_fields)
   EXPECT_EQ(general.solutions().vertices()[0].box.size(), 4u);
 }
 
+TEST(Intersection_curves, cones_triangles_and_touching_spheres)
+{
+  const Surface cone = SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(1, 0, 2));
+  expect_curves(cone, K::Plane_3(1, 2, -1, 1), 0, 1);
+  expect_curves(cone, K::Sphere_3(Point(0, 0, 1), Rational(1, 2)), 2, 0);
+  const K::Triangle_3 first(Point(0, 0, 0), Point(4, 0, 1), Point(0, 4, 0)), second(Point(1, 1, -1), Point(1, 1, 3), Point(2, 3, 1));
+  const Intersection segment = SC::intersection_curves(first, second);
+  EXPECT_TRUE(segment.is_complete());
+  ASSERT_EQ(segment.number_of_open_curves(), 1u);
+  EXPECT_EQ(segment.number_of_closed_curves(), 0u);
+  for (const int side : {0, 1})
+    EXPECT_EQ(segment.end(segment.curves()[0], side).kind(), SC::Intersection_kind::END_POINT);
+  const K::Sphere_3 sphere(Point(0, 0, 0), 9);
+  for (const K::Sphere_3& other : {K::Sphere_3(Point(4, 2, 4), 9), K::Sphere_3(Point(2, 1, 2), 36)})   // from outside, around it
+    EXPECT_LT(distance(expect_curves(sphere, other, 0, 0, 1).singular_points()[0].point(), Point(0, 0, 0)), 3 + 1e-10);
+}
+
 TEST(Intersection_curves, small_loops)
 {
   // z = (u - 1/3)^2 + (v - 2/7)^2 as a biquadratic patch, and a plane just above its lowest point.
