@@ -4,10 +4,11 @@
 // Solves a polynomial system in Minibex format and prints every answer with its certificate; with one equality less than unknowns, every curve of solutions.
 //
 //   solve_system FILE [--number-type fast|certified|interval|multiprecision|exact] [--tolerance T] [--test cone|graph]
-//                     [--time-limit S] [--parallel] [--json]
+//                     [--time-limit S] [--parallel] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]
 //
-// --parallel uses all cores, if the program was built with TBB; for the number type certified.
+// --parallel uses all cores, if the program was built with TBB; for the number type certified. --output writes curves of solutions.
 // Exit status: 0 when every solution is accounted for, 3 when not, 2 for bad input.
+#include "curve_output.h"
 #include "solve_system_output.h"
 
 #include <CGAL/Spline_constraints_d.h>
@@ -22,7 +23,7 @@ namespace SC = CGAL::Spline_constraints;
 
 struct Arguments
 {
-  std::string file, number_type = "certified", test = "graph";
+  std::string file, number_type = "certified", test = "graph", output;
   SC::Solver_options options;
   bool json = false, parallel = false;
 };
@@ -43,12 +44,13 @@ Arguments parse(int argc, char* argv[])
     else if (word == "--time-limit") result.options.time_limit = number(word, value());
     else if (word == "--parallel") result.parallel = true;
     else if (word == "--json") result.json = true;
+    else if (word == "--output") result.output = value();
     else if (word.starts_with("--") || !result.file.empty()) throw SC::Invalid_input("unknown argument " + word);
     else result.file = word;
   }
   if (result.file.empty())
     throw SC::Invalid_input("usage: solve_system FILE [--number-type fast|certified|interval|multiprecision|exact]"
-                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json]");
+                            " [--tolerance T] [--test cone|graph] [--time-limit S] [--parallel] [--json] [--output FILE.svg|FILE.vtp|FILE.txt]");
   if (result.parallel && result.number_type != "certified")
     throw SC::Invalid_input("--parallel goes with --number-type certified only");
   return result;
@@ -66,9 +68,14 @@ int solve(const Arguments& arguments)
     if (arguments.number_type != "certified" || arguments.json)
       throw SC::Invalid_input("curves of solutions go with --number-type certified, and are not written as JSON");
     const auto curves = SC::solve_curves(system, arguments.options);
+    if (!arguments.output.empty())
+      write_curves(arguments.output, input.names, system, curves);
     print_curves(input.names, curves);
     return curves.is_complete() ? 0 : 3;
   }
+
+  if (!arguments.output.empty())
+    throw SC::Invalid_input("--output is for curves of solutions: one equality less than unknowns");
 
   Progress_bar progress;
   const auto run = [&]<class Test>() {
