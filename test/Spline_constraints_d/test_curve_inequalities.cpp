@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -182,6 +183,58 @@ TEST(Curve_inequalities, random_half_planes)
   }
   EXPECT_GT(arcs, 30u);
   EXPECT_GT(trials, 50u);
+}
+
+// Random curves in two and three unknowns: what lies on both sides of a quadric g = 0 is what != leaves, and it is cut exactly at the solutions of f = g = 0, which the point solver finds.
+TEST(Curve_inequalities, both_sides_of_random_quadrics)
+{
+  const auto cuts = [](const SC::Curve_solution_set_d& set) {
+    std::size_t result = 0;
+    for (const SC::Solution_curve& curve : set.curves())
+      if (!curve.is_closed)
+        result += set.vertices()[curve.pieces.front().ends[0]].is_on_inequality + set.vertices()[curve.pieces.back().ends[1]].is_on_inequality;
+    return result;
+  };
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> coefficient(-50, 50);
+  std::size_t points = 0, complete = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const std::size_t n = 2 + static_cast<std::size_t>(trial % 2);
+    const auto x = unknowns(std::vector<std::array<SC::Bound, 2>>(n, {SC::Bound(-1), SC::Bound(1)}));
+    const auto polynomial = [&](bool is_cubic) {
+      SC::Expression sum(coefficient(random));
+      for (std::size_t i = 0; i < n; ++i) {
+        sum = sum + coefficient(random) * x[i];
+        for (std::size_t j = i; j < n; ++j)
+          sum = sum + coefficient(random) * x[i] * x[j] + (is_cubic ? coefficient(random) : 0) * x[i] * x[j] * x[(i + j) % n];
+      }
+      return sum;
+    };
+    std::vector<SC::Constraint> equations{polynomial(n == 2) == 0};
+    if (n == 3)
+      equations.push_back(polynomial(false) == 0);
+    const SC::Expression g = polynomial(false);
+    const auto system = [&](const SC::Constraint& last) {
+      SC::Constraint_system_d result(std::vector<SC::Constraint_system_d::Domain>(n, {-1, 1}));
+      for (const SC::Constraint& equation : equations)
+        result.add(equation);
+      result.add(last);
+      return result;
+    };
+    const auto zeros = SC::solve(system(g == 0));
+    const auto above = SC::solve_curves(system(g > 0)), below = SC::solve_curves(system(g < 0)), both = SC::solve_curves(system(g != 0));
+    if (!zeros.is_complete() || !above.is_complete() || !below.is_complete() || !both.is_complete())
+      continue;
+    ++complete;
+    points += zeros.size();
+    EXPECT_EQ(cuts(above), zeros.size()) << trial;
+    EXPECT_EQ(cuts(below), zeros.size()) << trial;
+    EXPECT_EQ(cuts(both), 2 * zeros.size()) << trial;
+    EXPECT_EQ(above.number_of_open_curves() + below.number_of_open_curves(), both.number_of_open_curves()) << trial;
+    EXPECT_EQ(above.number_of_closed_curves() + below.number_of_closed_curves(), both.number_of_closed_curves()) << trial;
+  }
+  EXPECT_GE(complete, 58u);
+  EXPECT_GT(points, 20u);
 }
 
 // A spline with a corner as inequality, y > 1/4 - |x|, whose break cuts the domain too.

@@ -49,9 +49,7 @@ inline Curve_jet jet_at(const Differentiated_map& curve, double parameter)
   return result;
 }
 
-/*
-What is seen of two points of the plane from the north pole of the sphere that lies on the plane's origin, with a radius: far points are close to each other, and to the one at infinity.
-*/
+// A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to each other there, and to the north pole, which is infinity.
 inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 {
   const double x = point[0] / (2 * radius), y = point[1] / (2 * radius), share = 1 / (1 + x * x + y * y);
@@ -93,7 +91,19 @@ public:
   //! a point of a polyline.
   using Sample = Curve_pair_sample<Kernel>;
 
-  //! the curves of two smooth parts.
+  //! one of the curves.
+  struct Curve
+  {
+    std::size_t part;                     ///< the index of the two smooth parts, all with the first part of the first curve before others
+    std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in `solutions(part)`
+    bool is_closed;                       ///< whether the last arc ends where the first one begins
+  };
+
+private:
+  // A point of the plane that belongs to two points, with the derivatives there.
+  using Point_of_pair = std::function<internal::Double_pair(const internal::Curve_jet&, const internal::Curve_jet&)>;
+
+  // The curves of two smooth parts.
   struct Part
   {
     internal::Differentiated_map first, second;
@@ -101,18 +111,6 @@ public:
     Curve_solution_set_d solutions;
   };
 
-  //! one of the curves.
-  struct Curve
-  {
-    std::size_t part;                     ///< the index of the two smooth parts
-    std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in the part's solutions
-    bool is_closed;                       ///< whether the last arc ends where the first one begins
-  };
-
-  //! a point of the plane that belongs to two points, with the derivatives there.
-  using Point_of_pair = std::function<internal::Double_pair(const internal::Curve_jet&, const internal::Curve_jet&)>;
-
-private:
   Point_of_pair m_point;
   std::vector<Part> m_parts;
   std::vector<Curve> m_curves;
@@ -187,6 +185,9 @@ public:
 
   //! the work.
   const Summary& summary() const { return m_summary; }
+
+  //! the curves of two smooth parts in the plane of their parameters, as the solver found them, but cut at infinity.
+  const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
   bool ends_at_infinity(const Curve& curve, int side) const
