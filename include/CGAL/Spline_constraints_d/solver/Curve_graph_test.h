@@ -113,6 +113,8 @@ public:
   // The row that is solved for an unknown; -1 for the parameter.
   int row_of(int unknown) const { return m_row[unknown]; }
 
+  // T, row by row.
+  const std::vector<double>& transform() const { return m_transform; }
   double transform(int row, int equality) const { return m_transform[row * m() + equality]; }
   double middle(int equality, int unknown) const { return m_middle[equality * n() + unknown]; }
   double radius(int equality, int unknown) const { return m_radius[equality * n() + unknown]; }

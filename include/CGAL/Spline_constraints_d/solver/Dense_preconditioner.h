@@ -21,113 +21,136 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The control points of C f, formed block by block where all equalities are interleaved in the same blocks: n^2 multiplications per control point. Tighter than the
-affine rows, since the cancellation between the equations happens before the bounds are taken.
+The control points of C f, formed block by block: at most n^2 multiplications per control point. Tighter than the affine rows, since the cancellation between the equations happens before the
+bounds are taken, where they share blocks.
 */
 class Dense_preconditioner
 {
   const System_layout* m_source = nullptr;
-  bool m_is_applicable = false, m_is_cheap = false;
-  std::unique_ptr<System_layout> m_equalities;   // alone, where there are inequalities
-  const System_layout* m_layout = nullptr;       // of what is formed: theirs, or that of the source
+  bool m_is_shared = false, m_is_cheap = false;
+  System_layout m_layout;   // of what is formed
   std::unique_ptr<Node_view> m_view;
   std::vector<std::size_t> m_block;          // of the source
   std::vector<double> m_coefficients, m_errors;
-  std::vector<double> m_work, m_matrix;
+  std::vector<double> m_work, m_matrix, m_columns;
 
 public:
-  // The blocks of the system allow it: square, and every block that holds an equality holds them all.
-  bool is_applicable(const System_layout& source)
+  // Has to be called first. A layout stays where it is.
+  void prepare(const System_layout& source)
   {
     if (m_source != &source)
-      prepare(source);
-    return m_is_applicable;
+      lay_out(source);
   }
+
+  // Every block that holds an equality holds them all.
+  bool is_shared() const { return m_is_shared; }
 
   // By counted operations, to form C f costs no more than to split the node and look at both halves: n multiplications per coefficient, beside half a degree for the split and about
   // a dozen operations in the passes that bound functions, slopes, derivatives and layers, each on two nodes.
   bool is_cheap() const { return m_is_cheap; }
 
-  // The preconditioned equalities as a node of their own; null when the mean slopes are singular. C needs no proof: a solution of f solves C f whatever C is.
+  // The preconditioned equalities of a square system as a node of their own; null when the mean slopes are singular.
   Node_view* apply(Node_view& node)
   {
-    const std::size_t n = m_layout->equalities;
+    const std::size_t n = m_layout.equalities;
     for (std::size_t i = 0; i < n; ++i)
       std::copy_n(node.slopes(static_cast<int>(i)), n, m_work.begin() + i * n);
-    if (!invert(static_cast<int>(n), m_work, m_matrix))
-      return nullptr;
+    return invert(static_cast<int>(n), m_work, m_matrix) ? &formed(node) : nullptr;
+  }
+
+  // The same with a given matrix, row by row. It needs no proof: a solution of f solves C f whatever C is.
+  Node_view& apply(Node_view& node, const std::vector<double>& matrix)
+  {
+    m_matrix = matrix;
+    return formed(node);
+  }
+
+private:
+  Node_view& formed(Node_view& node)
+  {
+    const std::size_t n = m_layout.equalities;
     for (std::size_t b = 0; b < m_block.size(); ++b) {
-      const Block &source = m_source->blocks[m_block[b]], &target = m_layout->blocks[b];
-      multiply(node.coefficients() + source.offset, source.functions.size(), target.points, m_coefficients.data() + target.offset);
+      const Block &source = m_source->blocks[m_block[b]], &target = m_layout.blocks[b];
+      const std::size_t members = select_columns(source);
+      multiply(node.coefficients() + source.offset, source.functions.size(), members, target.points, m_coefficients.data() + target.offset);
       for (std::size_t j = 0; j < n; ++j) {
         double error = 0;
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < members; ++i) {
           const std::size_t entry = source.first_error + i;
           const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
-          error += std::abs(m_matrix[j * n + i]) * (node.errors()[entry] + analysis_error * size);
+          error += std::abs(m_columns[j * members + i]) * (node.errors()[entry] + analysis_error * size);
         }
         m_errors[target.first_error + j] = error * (1 + analysis_error);
       }
     }
     m_view->reset(m_coefficients.data(), m_errors.data());
-    return m_view.get();
+    return *m_view;
   }
 
-private:
-  // to <- C from, control point by control point; sizes known to the compiler where it pays.
-  void multiply(const double* from, std::size_t stride, std::size_t points, double* to) const
+  // How many equalities a block holds.
+  std::size_t members_of(const Block& block) const
   {
-    switch (m_layout->equalities) {
-    case 2: return multiply_fixed<2>(from, stride, points, to);
-    case 3: return multiply_fixed<3>(from, stride, points, to);
-    case 4: return multiply_fixed<4>(from, stride, points, to);
-    case 5: return multiply_fixed<5>(from, stride, points, to);
-    case 6: return multiply_fixed<6>(from, stride, points, to);
-    default: return multiply_fixed<Eigen::Dynamic>(from, stride, points, to);
+    return static_cast<std::size_t>(std::lower_bound(block.functions.begin(), block.functions.end(), m_layout.equalities) - block.functions.begin());
+  }
+
+  // The columns of C for the equalities that a block holds; returns their number.
+  std::size_t select_columns(const Block& block)
+  {
+    const std::size_t n = m_layout.equalities, members = members_of(block);
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < members; ++i)
+        m_columns[j * members + i] = m_matrix[j * n + block.functions[i]];
+    return members;
+  }
+
+  // to <- C from, control point by control point; sizes known to the compiler where it pays.
+  void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to) const
+  {
+    switch (static_cast<int>(members) == m_layout.equalities ? m_layout.equalities : 0) {
+    case 2: return multiply_fixed<2>(from, stride, members, points, to);
+    case 3: return multiply_fixed<3>(from, stride, members, points, to);
+    case 4: return multiply_fixed<4>(from, stride, members, points, to);
+    case 5: return multiply_fixed<5>(from, stride, members, points, to);
+    case 6: return multiply_fixed<6>(from, stride, members, points, to);
+    default: return multiply_fixed<Eigen::Dynamic>(from, stride, members, points, to);
     }
   }
 
   template <int n>
-  void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to) const
+  void multiply_fixed(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to) const
   {
-    const Eigen::Index size = m_layout->equalities, columns = static_cast<Eigen::Index>(points);
-    using Matrix = Eigen::Matrix<double, n, n, n == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+    const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members), count = static_cast<Eigen::Index>(points);
+    using Matrix = Eigen::Matrix<double, n, n, Eigen::RowMajor>;
     using Points = Eigen::Matrix<double, n, Eigen::Dynamic>;
-    const Eigen::Map<const Matrix> matrix(m_matrix.data(), size, size);
-    const Eigen::Map<const Points, 0, Eigen::OuterStride<>> source(from, size, columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
-    Eigen::Map<Points>(to, size, columns).noalias() = matrix.lazyProduct(source);
+    const Eigen::Map<const Matrix> matrix(m_columns.data(), rows, columns);
+    const Eigen::Map<const Points, 0, Eigen::OuterStride<>> source(from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+    Eigen::Map<Points>(to, rows, count).noalias() = matrix.lazyProduct(source);
   }
 
-  void prepare(const System_layout& source)
+  void lay_out(const System_layout& source)
   {
     m_source = &source;
-    m_is_applicable = source.equalities == source.dimension;
-    m_layout = &source;
-    if (source.functions > source.equalities) {
-      m_equalities = std::make_unique<System_layout>(System_layout::of_equalities(source));
-      m_layout = m_equalities.get();
-    }
+    m_layout = System_layout::of_combined_equalities(source);
     m_block.clear();
+    m_is_shared = true;
     for (std::size_t b = 0; b < source.blocks.size(); ++b)
-      if (const std::vector<int>& functions = source.blocks[b].functions; !functions.empty() && functions.front() < source.equalities) {
-        m_is_applicable = m_is_applicable && std::count_if(functions.begin(), functions.end(), [&](int f) { return f < source.equalities; }) == source.equalities;
+      if (source.blocks[b].holds_equalities(source.equalities)) {
         m_block.push_back(b);
+        m_is_shared = m_is_shared && members_of(source.blocks[b]) == static_cast<std::size_t>(source.equalities);
       }
-    if (!m_is_applicable)
-      return;
     double products = 0, passes = 0;
-    for (const Block& block : m_layout->blocks) {
+    for (const Block& block : m_layout.blocks) {
       const double degrees = std::accumulate(block.degrees.begin(), block.degrees.end(), 0.0);
       const double degree = block.degrees.empty() ? 0 : degrees / static_cast<double>(block.degrees.size());
       products += static_cast<double>(block.size()) * source.equalities;
       passes += static_cast<double>(block.size()) * 2 * (0.5 * degree + 12);
     }
     m_is_cheap = products <= passes;
-    m_view = std::make_unique<Node_view>(*m_layout);
-    m_coefficients.resize(m_layout->size);
-    m_errors.resize(m_layout->errors);
-    m_work.resize(source.equalities * source.equalities);
-    m_matrix.resize(m_work.size());
+    m_view = std::make_unique<Node_view>(m_layout);
+    m_coefficients.resize(m_layout.size);
+    m_errors.resize(m_layout.errors);
+    for (auto* matrix : {&m_work, &m_matrix, &m_columns})
+      matrix->resize(source.equalities * source.equalities);
   }
 };
 

@@ -30,6 +30,16 @@ struct Local_box
   int dimension() const { return static_cast<int>(lower.size()); }
   double width(int j) const { return upper[j] - lower[j]; }
 
+  //! makes an axis at least so wide, around its middle, but no wider than the node.
+  void widen(int j, double least)
+  {
+    if (width(j) >= least)
+      return;
+    const double middle = 0.5 * (lower[j] + upper[j]);
+    lower[j] = (std::max)(-0.5, middle - 0.5 * least);
+    upper[j] = (std::min)(0.5, middle + 0.5 * least);
+  }
+
   //! keeps what lies in `[lo, hi]` on axis `j`; returns whether anything is left.
   bool intersect(int j, double lo, double hi)
   {

@@ -38,6 +38,8 @@ struct Block
 
   std::size_t size() const { return points * functions.size(); }
 
+  bool holds_equalities(int equalities) const { return !functions.empty() && functions.front() < equalities; }
+
   Axis_view view(std::size_t axis) const
   {
     Axis_view result{1, degrees[axis], functions.size()};
@@ -70,10 +72,10 @@ struct System_layout
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
 
-  // Of the equalities alone.
-  static System_layout of_equalities(const System_layout& layout);
+  // Of the equalities alone, each of their blocks with all of them.
+  static System_layout of_combined_equalities(const System_layout& layout);
 
-  // Of the equalities alone, each block with all of them.
+  // The same with one block on given unknowns.
   static System_layout of_mixed_equalities(const System_layout& layout);
 
   // Lays the blocks one after the other, once their axes, degrees and functions are set.
@@ -127,16 +129,16 @@ inline System_layout::System_layout(const Constraint_system_d& system)
   place_blocks();
 }
 
-inline System_layout System_layout::of_equalities(const System_layout& layout)
+inline System_layout System_layout::of_combined_equalities(const System_layout& layout)
 {
   System_layout result;
   result.dimension = layout.dimension;
   result.equalities = result.functions = layout.equalities;
-  for (Block block : layout.blocks) {
-    std::erase_if(block.functions, [&](int f) { return f >= layout.equalities; });
-    if (!block.functions.empty())
-      result.blocks.push_back(std::move(block));
-  }
+  std::vector<int> all(layout.equalities);
+  std::iota(all.begin(), all.end(), 0);
+  for (const Block& block : layout.blocks)
+    if (block.holds_equalities(layout.equalities))
+      result.blocks.push_back({block.axes, block.degrees, all, block.points, 0, 0, {}});
   result.place_blocks();
   return result;
 }
@@ -150,7 +152,7 @@ inline System_layout System_layout::of_mixed_equalities(const System_layout& lay
   std::iota(all.begin(), all.end(), 0);
   std::map<std::vector<int>, std::vector<int>> degrees_on;
   for (const Block& block : layout.blocks)
-    if (!block.functions.empty() && block.functions.front() < layout.equalities) {
+    if (block.holds_equalities(layout.equalities)) {
       std::vector<int>& degrees = degrees_on[block.axes];
       degrees.resize(block.axes.size(), 0);
       for (std::size_t j = 0; j < degrees.size(); ++j)

@@ -158,7 +158,7 @@ public:
       return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
     if (!m_projection.contract(node, linear, box))
       return false;
-    if (!linear.has_inverse() && m_dense.is_applicable(node.layout()) && m_dense.is_cheap() && !contract_dense(node, linear, box))
+    if (!linear.has_inverse() && is_dense_form_cheap(node) && !contract_dense(node, linear, box))
       return false;
     if (is_whole(box))
       return true;   // nothing gained, and nothing to gain from the same rows again
@@ -181,6 +181,12 @@ private:
     for (int j = 0; j < box.dimension(); ++j)
       volume *= 2 * box.width(j);
     return volume < 1;
+  }
+
+  bool is_dense_form_cheap(const Node_view& node)
+  {
+    m_dense.prepare(node.layout());
+    return node.equalities() == node.dimension() && m_dense.is_shared() && m_dense.is_cheap();
   }
 
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)

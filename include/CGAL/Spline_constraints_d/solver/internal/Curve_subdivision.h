@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/solver/Curve_graph_test.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Dense_preconditioner.h>
+#include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_analysis.h>
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
@@ -54,6 +56,10 @@ class Curve_subdivision
   Node_analysis<double> m_analysis;
   Curve_graph_test m_graph;
   Smear_splitter m_splitter;
+  Dense_preconditioner m_combinations;
+  Local_box m_part;   // of the node: what may hold solutions
+  bool m_has_rows = false;
+  static constexpr double m_least_gain = 0.1;
   const Solver_options& m_options;
   Run_control& m_control;
   Curve_vertices& m_vertices;
@@ -78,7 +84,7 @@ public:
       std::tie(root.lower[j], root.upper[j]) = dyadic_hull<double>(cell[j].first, cell[j].second, 0);
     m_source.set_home(Cell(cell.size(), 0), std::span<const double>(root.lower), std::span<const double>(root.upper));
     m_analysis.rebuild(Cell(cell.size(), 0), root);
-    subdivide(0, cell, vertices, 0);
+    subdivide(0, cell, vertices, 0, 0);
     m_source.leave_home();
   }
 
@@ -98,10 +104,10 @@ private:
     return m_nodes[index];
   }
 
-  // The lower part of a split stays in its place, the upper part goes one level up and is finished first.
-  void subdivide(std::size_t index, Exact_ranges box, Vertex_indices vertices, int depth)
+  // The lower part of a split stays in its place, the upper part goes one level up and is finished first. `age` counts the changes since the coefficients were exact.
+  void subdivide(std::size_t index, Exact_ranges box, Vertex_indices vertices, int depth, int age)
   {
-    constexpr int rebuild_interval = 12;   // splits whose rounding errors do not matter yet
+    constexpr int oldest = 12;   // rounding errors do not matter yet
     Node& node = level(index);
     for (;;) {
       if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
@@ -110,17 +116,22 @@ private:
       }
       ++m_summary.nodes;
       m_summary.depth = (std::max)(m_summary.depth, depth);
-      if (depth > 0 && depth % rebuild_interval == 0)
+      if (age == oldest) {
         m_analysis.rebuild(Cell(box.size(), 0), node);
-      m_analysis.look_at(node);
-      if (is_excluded())
-        return;
-      if (m_graph.eliminate(m_analysis.view)) {
-        if (m_graph.is_empty(m_analysis.view))
-          return;
-        if (m_graph.is_graph() && joined(box, vertices, m_graph.parameter()))
-          return;
+        age = 0;
       }
+      ++age;
+      m_analysis.look_at(node);
+      if (is_excluded() || is_empty_or_graph(m_analysis.view, box, vertices))
+        return;
+      m_part.reset(m_layout.dimension);
+      if (!contract_by_rows(m_analysis.view))
+        return;
+      if (Node_view* combined = is_worth_a_pass(node) ? nullptr : combined_equalities())
+        if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
+          return;
+      if (is_worth_a_pass(node) && shrink(node, box))
+        continue;
       if (has_singular_point(node, box, vertices, depth))
         return;
       std::optional<Split> split = split_of(node, box, vertices);
@@ -133,7 +144,7 @@ private:
       const auto [below, above] = distributed(vertices, *split);
       Exact_ranges upper_box = box;
       upper_box[split->axis].first = box[split->axis].second = split->value;
-      subdivide(index + 1, std::move(upper_box), above, depth);
+      subdivide(index + 1, std::move(upper_box), above, depth, age);
       vertices = below;
     }
   }
@@ -161,6 +172,62 @@ private:
         m_open_inequalities.push_back(g);
     }
     return false;
+  }
+
+  // Whether a box is finished by what the equalities, or combinations of them, say.
+  bool is_empty_or_graph(Node_view& equalities, const Exact_ranges& box, const Vertex_indices& vertices)
+  {
+    m_has_rows = m_graph.eliminate(equalities);
+    return m_has_rows && (m_graph.is_empty(equalities) || (m_graph.is_graph() && joined(box, vertices, m_graph.parameter())));
+  }
+
+  // The combinations that were eliminated last as functions of their own; null if there are none. What cancels between equalities does so before anything is bounded.
+  Node_view* combined_equalities()
+  {
+    if (!m_has_rows || m_layout.equalities == 1)
+      return nullptr;
+    m_combinations.prepare(m_layout);
+    return &m_combinations.apply(m_analysis.view, m_graph.transform());
+  }
+
+  // Shrinks the part of the node that may hold solutions; false when there are none.
+  bool contract_by_rows(Node_view& equalities)
+  {
+    if (!m_analysis.linear.contract_by_equations(equalities, m_part))
+      return false;
+    m_analysis.linear.precondition(equalities);
+    return m_analysis.linear.contract_by_preconditioned(m_part);
+  }
+
+  // Not below the tolerance, and no axis becomes a small part of its width at once: one that collapses would hide the others.
+  double least_share(const Node& node, int j) const
+  {
+    constexpr double thinnest = 0x1p-10;
+    return (std::min)(1.0, (std::max)(thinnest, m_options.tolerance * magnitude(node, j) / (node.upper[j] - node.lower[j])));
+  }
+
+  bool is_worth_a_pass(const Node& node) const
+  {
+    double volume = 1;
+    for (int j = 0; j < m_layout.dimension; ++j)
+      if (const double width = (std::max)(m_part.width(j), least_share(node, j)); width <= 1 - m_least_gain)
+        volume *= width;
+    return volume <= 0.5;
+  }
+
+  // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its vertices. False when it stays as it is.
+  bool shrink(Node& node, Exact_ranges& box)
+  {
+    for (int j = 0; j < m_layout.dimension; ++j)
+      m_part.widen(j, least_share(node, j));
+    node.restrict_to(m_layout, m_part, m_least_gain);
+    bool is_smaller = false;
+    for (int j = 0; j < m_layout.dimension; ++j) {
+      const Exact_rational lower(node.lower[j]), upper(node.upper[j]);
+      is_smaller = is_smaller || box[j].first < lower || upper < box[j].second;
+      box[j] = {(std::max)(box[j].first, lower), (std::min)(box[j].second, upper)};
+    }
+    return is_smaller;
   }
 
   // Makes the pieces of a small box whose only solutions are proved to be the branches that end in a singular point. There are as many vertices then.
@@ -219,6 +286,8 @@ private:
     return std::nullopt;
   }
 
+  static double magnitude(const Node& node, int j) { return (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}); }
+
   // The axes that can be split, the best one first.
   std::vector<int> rated_axes(const Node& node)
   {
@@ -235,7 +304,7 @@ private:
     m_splitter.rate(m_analysis.view, widths, rating);
     std::vector<int> result;
     for (int j = 0; j < n; ++j)
-      if (node.upper[j] - node.lower[j] > tolerance * (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}) && widths[j] >= thinnest * widest)
+      if (node.upper[j] - node.lower[j] > tolerance * magnitude(node, j) && widths[j] >= thinnest * widest)
         result.push_back(j);
     std::stable_sort(result.begin(), result.end(), [&](int i, int j) { return rating[i] > rating[j] * (1 + 1e-9); });
     return result;
