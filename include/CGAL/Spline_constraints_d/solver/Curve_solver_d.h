@@ -24,6 +24,7 @@ namespace Spline_constraints {
 namespace internal {
 
 // The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are subdivided.
+template <class Traits>
 class All_curves
 {
   const Constraint_system_d& m_system;
@@ -38,7 +39,7 @@ class All_curves
   std::vector<double> m_widths;
 
 public:
-  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control) 
+  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
     : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options)
   {}
 
@@ -89,7 +90,7 @@ private:
   {
     const auto [axis, index] = middle_break(box);
     if (axis < 0) {
-      Curve_subdivision(m_system, box, m_widths, m_options, m_control, m_summary, m_vertices, m_pieces, m_undecided).run(box, vertices);
+      Curve_subdivision<Traits>(m_system, box, m_widths, m_options, m_control, m_summary, m_vertices, m_pieces, m_undecided).run(box, vertices);
       return;
     }
     const Exact_rational value = m_breaks[axis][index];
@@ -155,7 +156,7 @@ private:
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all solutions of a system with one equality less than unknowns: curves, with their topology by proof.
+Finds all solutions of a system with one equality less than unknowns: curves, with their topology by proof.
 
 The domain is cut into boxes. The points where curves cross the cutting planes are solutions of systems with one unknown less, which `Subdivision_solver_d` finds with their proofs, once for the boxes on
 both sides. A box is dropped when it is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is no closed curve inside, and the order of the points
@@ -167,25 +168,55 @@ a break and there are at most four unknowns. Where nothing succeeds, boxes are l
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
 
-\param system the constraints; one equality less than unknowns.
-\param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.
-\throws Invalid_input when the number of equalities is another one, the range of an unknown is one number, or an option makes no sense.
+\tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 
 Source: seed 001, section 2 (the curves); the graph test in the place of a tracing by steps.
 */
-inline Curve_solution_set_d solve_curves(const Constraint_system_d& system, const Solver_options& options = {.tolerance = 1e-8})
+template <ConstraintSolverTraits Traits = Certified_solver_traits>
+class Curve_solver_d
 {
-  options.check();
-  const int n = system.dimension();
-  if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
-    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
-  for (int v = 0; v < n; ++v)
-    if (!(system.domain(v).first < system.domain(v).second))
-      throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
-  Default_solver_visitor visitor;
-  internal::Run_control control(visitor, options);
-  return internal::All_curves(system, options, control)();
-}
+  Solver_options m_options;
+
+public:
+  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.
+  //! \throws Invalid_input when an option makes no sense.
+  explicit Curve_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options) { m_options.check(); }
+
+  //! all curves of solutions.
+  //! \param system the constraints; one equality less than unknowns.
+  //! \param visitor can stop the solver; a model of `SolverVisitor`. Of the progress it is told only that the run goes on.
+  //! \throws Invalid_input when the number of equalities is another one, or the range of an unknown is one number.
+  template <SolverVisitor Visitor>
+  Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
+  {
+    const int n = system.dimension();
+    if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
+      throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
+    for (int v = 0; v < n; ++v)
+      if (!(system.domain(v).first < system.domain(v).second))
+        throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
+    [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
+    [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+    internal::Run_control control(visitor, m_options);
+    return internal::All_curves<Traits>(system, m_options, control)();
+  }
+
+  Curve_solution_set_d operator()(const Constraint_system_d& system) const
+  {
+    Default_solver_visitor visitor;
+    return (*this)(system, visitor);
+  }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDSolver
+
+all solutions of a system with one equality less than unknowns, with the default traits: curves, with their topology by proof.
+\param system the constraints; one equality less than unknowns.
+\param options as for `Curve_solver_d`.
+\throws Invalid_input as `Curve_solver_d`.
+*/
+inline Curve_solution_set_d solve_curves(const Constraint_system_d& system, const Solver_options& options = {.tolerance = 1e-8}) { return Curve_solver_d<>(options)(system); }
 
 /*!
 \ingroup PkgSplineConstraintsDSolver

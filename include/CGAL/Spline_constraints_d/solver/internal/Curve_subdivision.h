@@ -45,17 +45,20 @@ and both halves get them. A box is finished when it has no solutions, or when th
 
 Inequalities that neither hold everywhere in a box nor exclude it have their zeros among the vertices of a graph, so that they hold for all points between two vertices or for none.
 */
+template <class Traits>
 class Curve_subdivision
 {
-  using Node = Box_node<double>;
+  using NT = typename Traits::Number_type;
+  using Coordinate = typename Number_traits<NT>::Coordinate;
+  using Node = Box_node<NT>;
 
   const Constraint_system_d m_system, m_equalities, m_closure;   // the last without inequations
   const System_layout m_layout;
   Exact_source m_source;
   Summary& m_summary;
-  Node_analysis<double> m_analysis;
+  Node_analysis<NT> m_analysis;
   Curve_graph_test m_graph;
-  Smear_splitter m_splitter;
+  typename Traits::Splitter m_splitter;
   Dense_preconditioner m_combinations;
   Local_box m_part;   // of the node: what may hold solutions
   bool m_has_rows = false;
@@ -73,7 +76,7 @@ class Curve_subdivision
 public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Summary& summary,
                     Curve_vertices& vertices, std::vector<Curve_piece>& pieces, std::vector<Undecided_box>& undecided)
-    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, true),
+    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, Traits::tracks_rounding),
       m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(vertices), m_domain_widths(domain_widths), m_pieces(pieces), m_undecided(undecided)
   {}
 
@@ -81,8 +84,8 @@ public:
   {
     Node& root = level(0);
     for (std::size_t j = 0; j < cell.size(); ++j)
-      std::tie(root.lower[j], root.upper[j]) = dyadic_hull<double>(cell[j].first, cell[j].second, 0);
-    m_source.set_home(Cell(cell.size(), 0), std::span<const double>(root.lower), std::span<const double>(root.upper));
+      std::tie(root.lower[j], root.upper[j]) = dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
+    m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower), std::span<const Coordinate>(root.upper));
     m_analysis.rebuild(Cell(cell.size(), 0), root);
     subdivide(0, cell, vertices, 0, 0);
     m_source.leave_home();
@@ -203,7 +206,7 @@ private:
   double least_share(const Node& node, int j) const
   {
     constexpr double thinnest = 0x1p-10;
-    return (std::min)(1.0, (std::max)(thinnest, m_options.tolerance * magnitude(node, j) / (node.upper[j] - node.lower[j])));
+    return (std::min)(1.0, (std::max)(thinnest, m_options.tolerance * magnitude(node, j) / width(node, j)));
   }
 
   bool is_worth_a_pass(const Node& node) const
@@ -239,7 +242,7 @@ private:
     if (depth % m_layout.dimension != 0 || !m_open_inequalities.empty() || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
-      if (node.upper[j] - node.lower[j] > small * m_domain_widths[j])
+      if (width(node, j) > small * m_domain_widths[j])
         return false;
     if (m_layout.equalities == 1 && !may_gradient_vanish())
       return false;
@@ -286,7 +289,8 @@ private:
     return std::nullopt;
   }
 
-  static double magnitude(const Node& node, int j) { return (std::max)({1.0, std::abs(node.lower[j]), std::abs(node.upper[j])}); }
+  static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
+  static double magnitude(const Node& node, int j) { return (std::max)({1.0, std::abs(CGAL::to_double(node.lower[j])), std::abs(CGAL::to_double(node.upper[j]))}); }
 
   // The axes that can be split, the best one first.
   std::vector<int> rated_axes(const Node& node)
@@ -298,13 +302,13 @@ private:
     std::vector<double> widths, rating;
     double widest = 0;
     for (int j = 0; j < n; ++j) {
-      widths.push_back((node.upper[j] - node.lower[j]) / m_domain_widths[j]);
+      widths.push_back(width(node, j) / m_domain_widths[j]);
       widest = (std::max)(widest, widths.back());
     }
     m_splitter.rate(m_analysis.view, widths, rating);
     std::vector<int> result;
     for (int j = 0; j < n; ++j)
-      if (node.upper[j] - node.lower[j] > tolerance * magnitude(node, j) && widths[j] >= thinnest * widest)
+      if (width(node, j) > tolerance * magnitude(node, j) && widths[j] >= thinnest * widest)
         result.push_back(j);
     std::stable_sort(result.begin(), result.end(), [&](int i, int j) { return rating[i] > rating[j] * (1 + 1e-9); });
     return result;
