@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H
 
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
@@ -23,8 +24,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are subdivided.
-template <class Traits>
+// The curves of solutions of a system: the domain is cut along the breaks of the splines into cells, and these are subdivided. Tasks that have used up a budget become several ones, which
+// know nothing of each other but the vertices on their boundaries: so the answer does not depend on how many of them run at the same time.
+template <class Traits, class Concurrency_tag>
 class All_curves
 {
   const Constraint_system_d& m_system;
@@ -35,6 +37,7 @@ class All_curves
   Curve_vertices m_vertices;
   std::vector<Curve_piece> m_pieces;
   std::vector<Undecided_box> m_undecided;
+  std::vector<Curve_task> m_tasks;
   std::vector<std::vector<Exact_rational>> m_breaks;
   std::vector<double> m_widths;
 
@@ -45,16 +48,15 @@ public:
 
   Curve_solution_set_d operator()()
   {
-    Exact_ranges domain;
-    for (int v = 0; v < m_system.dimension(); ++v) {
-      domain.push_back(m_system.domain(v));
-      m_widths.push_back(CGAL::to_double(Exact_rational(domain[v].second - domain[v].first)));
-    }
+    const Exact_ranges domain = domain_of(m_system);
+    for (const auto& [lower, upper] : domain)
+      m_widths.push_back(CGAL::to_double(Exact_rational(upper - lower)));
     const std::vector<Cell> cells = possible_cells();
     if (!cells.empty()) {
       const Vertex_indices vertices = vertices_on_boundary(domain);
       split_cells(domain, cells, vertices);
     }
+    run_tasks();
     const std::vector<std::size_t> points = isolated_points();
     m_summary.nodes += m_vertices.work().nodes;
     m_summary.seconds = m_control.seconds();
@@ -90,7 +92,7 @@ private:
   {
     const auto [axis, index] = middle_break(box);
     if (axis < 0) {
-      Curve_subdivision<Traits>(m_system, box, m_widths, m_options, m_control, m_summary, m_vertices, m_pieces, m_undecided).run(box, vertices);
+      m_tasks.push_back({box, box, vertices, 0});
       return;
     }
     const Exact_rational value = m_breaks[axis][index];
@@ -111,6 +113,45 @@ private:
         }
       split_cells(part, own, known);
     }
+  }
+
+  // In rounds. The budget of the first one is small: it makes the tasks of the others.
+  void run_tasks()
+  {
+    constexpr std::size_t first_budget = 256, budget = 4096;
+    for (std::size_t share = first_budget; !m_tasks.empty(); share = budget) {
+      const std::size_t left = m_options.node_limit == 0 ? m_tasks.size() * share : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
+      if (left == 0)
+        return give_up();
+      const std::vector<Curve_task> tasks = std::exchange(m_tasks, {});
+      const std::size_t count = (std::min)(tasks.size(), (left + share - 1) / share);
+      std::vector<Curve_findings> found;
+      for (std::size_t i = 0; i < count; ++i)
+        found.push_back({Curve_vertices(m_options, m_vertices, tasks[i].vertices)});
+      parallel_for<Concurrency_tag>(count, [&](std::size_t i, std::size_t) {
+        [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
+        [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
+        Curve_subdivision<Traits>(m_system, tasks[i].cell, m_widths, m_options, m_control, found[i]).run(tasks[i], (std::min)(share, left - i * share), m_undecided.size());
+      });
+      for (std::size_t i = 0; i < count; ++i)
+        take(std::move(found[i]), tasks[i].vertices);
+      m_tasks.insert(m_tasks.end(), tasks.begin() + static_cast<std::ptrdiff_t>(count), tasks.end());
+    }
+  }
+
+  void take(Curve_findings&& found, const Vertex_indices& known)
+  {
+    found.renumber(m_vertices.merge(std::move(found.vertices), known));
+    m_pieces.insert(m_pieces.end(), found.pieces.begin(), found.pieces.end());
+    m_undecided.insert(m_undecided.end(), found.undecided.begin(), found.undecided.end());
+    m_tasks.insert(m_tasks.end(), found.pending.begin(), found.pending.end());
+    m_summary += found.summary;
+  }
+
+  void give_up()
+  {
+    for (const Curve_task& task : std::exchange(m_tasks, {}))
+      m_undecided.push_back({task.box, task.vertices, Undecided_reason::NODES});
   }
 
   // The vertices that neither pieces nor undecided boxes have, if they satisfy the inequalities.
@@ -169,10 +210,11 @@ Inequalities cut the curves where they are zero, at certified points. An end whe
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
+\tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
 
 Source: seed 001, section 2 (the curves); the graph test in the place of a tracing by steps.
 */
-template <ConstraintSolverTraits Traits = Certified_solver_traits>
+template <ConstraintSolverTraits Traits = Certified_solver_traits, class Concurrency_tag = CGAL::Sequential_tag>
 class Curve_solver_d
 {
   Solver_options m_options;
@@ -195,10 +237,8 @@ public:
     for (int v = 0; v < n; ++v)
       if (!(system.domain(v).first < system.domain(v).second))
         throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
-    [[maybe_unused]] const typename Number_traits<typename Traits::Number_type>::Rounding_guard guard;
-    [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
     internal::Run_control control(visitor, m_options);
-    return internal::All_curves<Traits>(system, m_options, control)();
+    return internal::All_curves<Traits, Concurrency_tag>(system, m_options, control)();
   }
 
   Curve_solution_set_d operator()(const Constraint_system_d& system) const

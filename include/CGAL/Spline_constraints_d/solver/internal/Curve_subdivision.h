@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -37,6 +38,36 @@ struct Undecided_box
   Exact_ranges box;
   Vertex_indices vertices;
   Undecided_reason reason;
+};
+
+// A box in a cell, where all functions are polynomials, with the vertices on its boundary.
+struct Curve_task
+{
+  Exact_ranges cell, box;
+  Vertex_indices vertices;
+  int depth;
+};
+
+// What came of a task. Its vertices are numbered 0, 1, ...; new ones follow.
+struct Curve_findings
+{
+  Curve_vertices vertices;
+  std::vector<Curve_piece> pieces = {};
+  std::vector<Undecided_box> undecided = {};
+  std::vector<Curve_task> pending = {};   // what is left when the budget is used up
+  Summary summary = {};
+
+  // Numbers the vertices as the map says.
+  void renumber(const Vertex_indices& map)
+  {
+    const auto change = [&](std::size_t& i) { i = map[i]; };
+    for (Curve_piece& piece : pieces)
+      std::for_each(piece.ends.begin(), piece.ends.end(), change);
+    for (Undecided_box& box : undecided)
+      std::for_each(box.vertices.begin(), box.vertices.end(), change);
+    for (Curve_task& task : pending)
+      std::for_each(task.vertices.begin(), task.vertices.end(), change);
+  }
 };
 
 /*
@@ -67,27 +98,34 @@ class Curve_subdivision
   Run_control& m_control;
   Curve_vertices& m_vertices;
   std::deque<Node> m_nodes;   // per level; stays where it is
-  std::vector<double> m_domain_widths;
+  const std::vector<double>& m_domain_widths;
   std::vector<std::size_t> m_open_inequalities;   // of the node
-  std::size_t m_attempts = 0, m_singular_points = 0;
+  std::size_t m_attempts = 0, m_singular_points = 0, m_budget = 0, m_open_before = 0;
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
+  std::vector<Curve_task>& m_pending;
 
 public:
-  Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Summary& summary,
-                    Curve_vertices& vertices, std::vector<Curve_piece>& pieces, std::vector<Undecided_box>& undecided)
-    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(summary), m_analysis(m_layout, m_source, summary, Traits::tracks_rounding),
-      m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(vertices), m_domain_widths(domain_widths), m_pieces(pieces), m_undecided(undecided)
+  Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Curve_findings& findings)
+    : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
+      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding), m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(findings.vertices),
+      m_domain_widths(domain_widths), m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 
-  void run(const Exact_ranges& cell, const Vertex_indices& vertices)
+  // Looks at no more boxes than the budget allows. `open_before`: how many have been left undecided elsewhere.
+  void run(const Curve_task& task, std::size_t budget, std::size_t open_before)
   {
+    m_budget = budget;
+    m_open_before = open_before;
+    const Exact_ranges& cell = task.box;
+    Vertex_indices vertices(task.vertices.size());
+    std::iota(vertices.begin(), vertices.end(), std::size_t(0));
     Node& root = level(0);
     for (std::size_t j = 0; j < cell.size(); ++j)
       std::tie(root.lower[j], root.upper[j]) = dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
     m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower), std::span<const Coordinate>(root.upper));
     m_analysis.rebuild(Cell(cell.size(), 0), root);
-    subdivide(0, cell, vertices, 0, 0);
+    subdivide(0, cell, std::move(vertices), task.depth, 0);
     m_source.leave_home();
   }
 
@@ -115,6 +153,10 @@ private:
     for (;;) {
       if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
         m_undecided.push_back({std::move(box), std::move(vertices), reason});
+        return;
+      }
+      if (m_summary.nodes >= m_budget) {
+        m_pending.push_back({domain_of(m_system), std::move(box), std::move(vertices), depth});
         return;
       }
       ++m_summary.nodes;
@@ -154,8 +196,6 @@ private:
 
   Undecided_reason limit()
   {
-    if (m_options.node_limit > 0 && m_summary.nodes >= m_options.node_limit)
-      return Undecided_reason::NODES;
     constexpr std::size_t poll_interval = 64;
     return m_control.must_stop(m_summary.nodes % poll_interval == 0) ? m_control.reason() : Undecided_reason::NONE;
   }
@@ -297,7 +337,7 @@ private:
   {
     constexpr double thinnest = 0.125, coarsening = 4;
     constexpr std::size_t many_boxes = 128;   // after so many more have been left undecided, others may be wider: the number of boxes does not grow with the tolerance
-    const double tolerance = m_options.tolerance * std::pow(coarsening, static_cast<double>(m_undecided.size() / many_boxes));
+    const double tolerance = m_options.tolerance * std::pow(coarsening, static_cast<double>((m_open_before + m_undecided.size()) / many_boxes));
     const int n = m_layout.dimension;
     std::vector<double> widths, rating;
     double widest = 0;

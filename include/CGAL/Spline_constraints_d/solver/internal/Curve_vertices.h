@@ -41,6 +41,19 @@ struct Plane_point
 
   bool is_singular_point() const { return planes() == 0 && !inequality; }
 
+  // What others have found out about the same point.
+  void learn(const Plane_point& same)
+  {
+    for (std::size_t j = 0; j < box.size(); ++j)
+      if (same.is_fixed[j]) {
+        box[j] = same.box[j];
+        is_fixed[j] = true;
+      }
+    if (same.inequality)
+      inequality = same.inequality;
+    is_excluded = is_excluded || same.is_excluded;
+  }
+
   std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
 };
 
@@ -73,6 +86,27 @@ class Curve_vertices
 
 public:
   explicit Curve_vertices(const Solver_options& options) : m_solver(options) {}
+
+  // With some of the points of others, so that a task may add what it finds, without regard to other tasks.
+  Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points) : m_solver(options)
+  {
+    for (const std::size_t i : points)
+      m_points.push_back(others[i]);
+  }
+
+  // Takes over what a task that was given some of the points has found. Returns its points' indices here.
+  std::vector<std::size_t> merge(Curve_vertices&& task, std::vector<std::size_t> points)
+  {
+    for (std::size_t i = 0; i < task.size(); ++i)
+      if (i < points.size())
+        m_points[points[i]].learn(task[i]);
+      else {
+        points.push_back(m_points.size());
+        m_points.push_back(std::move(task.m_points[i]));
+      }
+    m_work += task.m_work;
+    return points;
+  }
 
   const Plane_point& operator[](std::size_t i) const { return m_points[i]; }
   std::size_t size() const { return m_points.size(); }

@@ -115,13 +115,15 @@ inline Constraint_system_d equalities_on(const Constraint_system_d& system, cons
   return result;
 }
 
-inline Constraint_system_d equalities_of(const Constraint_system_d& system)
+inline Exact_ranges domain_of(const Constraint_system_d& system)
 {
   Exact_ranges domain;
   for (int v = 0; v < system.dimension(); ++v)
     domain.push_back(system.domain(v));
-  return equalities_on(system, domain);
+  return domain;
 }
+
+inline Constraint_system_d equalities_of(const Constraint_system_d& system) { return equalities_on(system, domain_of(system)); }
 
 // The closure of what a system allows, where no inequation f != 0 has its zeros along a whole curve.
 inline Constraint_system_d without_inequations(const Constraint_system_d& system)
