@@ -18,6 +18,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace SC = CGAL::Spline_constraints;
 
@@ -65,13 +66,15 @@ int solve(const Arguments& arguments)
     system.add(constraint.function, constraint.relation);
 
   if (static_cast<int>(system.equalities().size()) + 1 == system.dimension()) {
-    if (arguments.number_type != "certified" || arguments.json)
-      throw SC::Invalid_input("curves of solutions go with --number-type certified, and are not written as JSON");
-    const auto curves = SC::solve_curves(system, arguments.options);
-    if (!arguments.output.empty())
-      write_curves(arguments.output, input.names, system, curves);
-    print_curves(input.names, curves);
-    return curves.is_complete() ? 0 : 3;
+    if constexpr (std::is_same_v<Number, double> && tracks_rounding)
+      if (!arguments.json) {
+        const auto curves = SC::Curve_solver_d<SC::Certified_solver_traits, Concurrency_tag>(arguments.options)(system);
+        if (!arguments.output.empty())
+          write_curves(arguments.output, input.names, system, curves);
+        print_curves(input.names, curves);
+        return curves.is_complete() ? 0 : 3;
+      }
+    throw SC::Invalid_input("curves of solutions go with --number-type certified, and are not written as JSON");
   }
 
   if (!arguments.output.empty())
