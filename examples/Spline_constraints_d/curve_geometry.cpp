@@ -36,7 +36,7 @@ int main()
   const SC::Solution_curve& curve = set.curves().front();
 
   std::ofstream file("curve_geometry.svg");
-  SC::SVG_writer picture(file, CGAL::Bbox_2(-2.1, -1.45, 2.5, 1.45), 700);
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-1.8, -1, 1.9, 1.25), 700);
   for (const std::vector<double>& p : SC::to_polyline(system, set, curve, 2e-4)) {   // a comb: towards the outside where the curve is convex, as long as the curvature
     const std::vector<SC::Exact_rational> towards_center = SC::curve_differentials(system, p)->curvature_vector();
     const K::Point_2 foot(p[0], p[1]), tip(p[0] - 0.12 * CGAL::to_double(towards_center[0]), p[1] - 0.12 * CGAL::to_double(towards_center[1]));
@@ -45,13 +45,14 @@ int main()
   const SC::Fitted_spline_d spline = SC::fit_spline(system, set, curve, 1e-5);
   picture.curve(spline.curve_2<K>(), "black", 2);
   for (const double t : spline.breaks)
-    picture.point(K::Point_2(spline(t)[0], spline(t)[1]), "black", 4);
+    picture.point(K::Point_2(spline(t)[0], spline(t)[1]), "black", 5);
   std::cout << "a cubic spline with " << spline.breaks.size() - 1 << " pieces passes the curve at " << spline.error << '\n';
 
   const SC::Curve_extremes_d vertices = SC::curvature_extremes(constraints), turning = SC::turning_points(constraints, y);
   show(picture, "curvature", vertices, "#d62728", "#1f77b4");
   show(picture, "y", turning, "#2ca02c", "#ff7f0e");
-  picture.label(K::Point_2(-2, 1.3), "curvature (comb): maxima red, minima blue; highest points green, lowest orange; breaks of the fitted spline black", "black", 12);
+  picture.label(K::Point_2(-1.75, 1.13), "curvature (comb): maxima red, minima blue; where y is greatest green, least orange", "black", 13);
+  picture.label(K::Point_2(-1.75, 1.02), "fitted cubic spline with its breaks (small dots)", "black", 13);
   const bool is_complete = set.is_complete() && vertices.summary.is_complete && turning.summary.is_complete;
   std::cout << (is_complete && set.curves().size() == 1 ? "There are no others.\n" : "There may be others.\n");
   return is_complete ? 0 : 1;

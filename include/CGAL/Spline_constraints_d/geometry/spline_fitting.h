@@ -136,8 +136,10 @@ public:
   {
     const std::size_t last = m_samples.size() - 1;
     std::vector<std::size_t> breaks{0, last};
-    if (m_is_closed)
-      breaks = {0, last / 4, last / 2, last / 4 * 3, last};
+    if (m_is_closed) {
+      const std::size_t middle = middle_sample(0, last);
+      breaks = {0, middle_sample(0, middle), middle, middle_sample(middle, last), last};
+    }
     for (;;) {
       Fitted_spline_d spline = least_squares(breaks);
       const Knot_axis<double> axis = cubic_axis(spline.breaks, m_is_closed);
@@ -150,7 +152,7 @@ public:
         spline.error = (std::max)(spline.error, error);
         if (error > tolerance) {
           is_fine = is_fine && breaks[i + 1] - breaks[i] >= 2 * least_chords;
-          finer.push_back((breaks[i] + breaks[i + 1]) / 2);
+          finer.push_back(middle_sample(breaks[i], breaks[i + 1]));
         }
         finer.push_back(breaks[i + 1]);
       }
@@ -161,6 +163,14 @@ public:
   }
 
 private:
+  // The sample next to the middle of a piece that leaves enough chords on both sides, if there are enough.
+  std::size_t middle_sample(std::size_t first, std::size_t last) const
+  {
+    const auto begin = m_parameters.begin();
+    const std::size_t least = (std::min)(least_chords, (last - first) / 2), middle = std::lower_bound(begin + first, begin + last, 0.5 * (m_parameters[first] + m_parameters[last])) - begin;
+    return (std::max)(first + least, (std::min)(middle, last - least));
+  }
+
   // Chords, each lengthened to an arc by the curvature at its ends: c (1 + (kappa c)^2 / 24).
   static std::vector<double> arc_lengths(const Double_points& points)
   {
