@@ -3,9 +3,15 @@
 
 // Derivatives, tangents and curvatures of curves of solutions: exact values on circles, Viviani's curve and great circles, Taylor's theorem on random curves, breaks of splines.
 
+#include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -186,6 +192,31 @@ TEST(Curve_differentials, breaks_of_splines)
   EXPECT_EQ(bend(Rational(99, 100)), 2);
   EXPECT_EQ(bend(1), 0);
   EXPECT_THROW(SC::curve_differentials<SC::Mpfr_interval>(system, {{Rational(9, 10), Rational(11, 10)}, {Rational(1), Rational(1)}}), SC::Invalid_input);
+}
+
+TEST(Curve_differentials, images_on_splines)
+{
+  using K = CGAL::Simple_cartesian<CGAL::Exact_rational>;
+  // (u, v, uv), with a crease in u = 1, beyond which z = 2uv - v
+  const SC::Bspline_surface_3<K> surface({1, 1}, {0, 0, 1, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}, {2, 0, 0}, {2, 1, 3}});
+  auto [u, v] = SC::unknowns({0, 2}, {0, 1});
+  const auto on_surface = SC::Spline_map<2, 3>(surface)(u, v);
+  const std::vector<SC::Constraint> diagonal{u == v}, half{u == 2 * v};
+  const auto before = SC::curve_differentials(make_system(diagonal), std::vector<double>{0.5, 0.5}, 0)->image(on_surface);
+  EXPECT_EQ(before.squared_curvature(), Rational(8, 27));   // of (t, t, t^2)
+  const auto behind = SC::curve_differentials(make_system(half), std::vector<double>{1, 0.5}, 1)->image(on_surface);
+  EXPECT_EQ(behind.first_derivative(), (std::vector<Rational>{2, 1, 3}));   // of (2t, t, 4t^2 - t)
+  EXPECT_EQ(behind.second_derivative(), (std::vector<Rational>{0, 0, 8}));
+
+  const SC::Spline_map<1, 2> circle(SC::circle_curve(K::Point_2(1, 0), K::FT(2)));
+  const auto [begin, end] = circle.domain(0);
+  auto [t, s] = SC::unknowns({begin, end}, {begin, end});
+  const std::vector<SC::Constraint> equal{t == s};
+  const auto system = make_system(equal);
+  for (int i = 0; i <= 10; ++i) {
+    const Rational at = begin + (end - begin) * i / 10;
+    EXPECT_EQ(SC::curve_differentials<Rational>(system, box_of({at, at}))->image(circle(t)).squared_curvature(), Rational(1, 4));
+  }
 }
 
 TEST(Curve_differentials, bad_input)
