@@ -282,6 +282,8 @@ meet in a singular point still do; a closed one is periodic. Corners and cusps t
 \param tolerance the distance between curve and spline, positive. `Fitted_spline_d::error` tells what was measured; it is larger only if \f$2^{15}\f$ points are not enough.
 \throws Invalid_input when the tolerance is not positive, or the curve is one point.
 
+Complexity: for each round of splitting, a banded linear system with as many unknowns as pieces; rounds are at most logarithmic in the number of pieces as long as these are of similar length.
+
 Source: seed 000, section 2.3; the parameter is not one of the unknowns but the arc length, so that no choice fails where it is stationary.
 */
 template <class Polyline>

@@ -31,8 +31,8 @@ What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, fr
 */
 struct Chord_label
 {
-  std::size_t curve;
-  std::size_t chord;
+  std::size_t curve;   ///< index of the polyline
+  std::size_t chord;   ///< index of its point where the chord begins
 
   bool operator==(const Chord_label&) const = default;
 };
