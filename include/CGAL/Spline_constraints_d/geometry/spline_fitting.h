@@ -190,45 +190,60 @@ private:
     return result;
   }
 
-  // The spline with these samples as breaks that is nearest to every second sample. An open one begins and ends where the curve does.
+  // The spline with these samples as breaks that is nearest to every second sample.
   Fitted_spline_d least_squares(const std::vector<std::size_t>& breaks) const
   {
     Fitted_spline_d result{{}, {}, m_is_closed, 0};
     for (const std::size_t i : breaks)
       result.breaks.push_back(m_parameters[i]);
     const Knot_axis<double> axis = cubic_axis(result.breaks, m_is_closed);
-    const int size = static_cast<int>(m_is_closed ? breaks.size() - 1 : axis.size()), d = static_cast<int>(m_samples[0].size()), rows = static_cast<int>(m_samples.size() / 2);
-    const auto fixed = [&](int control) { return m_is_closed ? nullptr : control == 0 ? &m_samples.front() : control == size - 1 ? &m_samples.back() : nullptr; };
+    const int size = static_cast<int>(m_is_closed ? breaks.size() - 1 : axis.size());
+    const auto [matrix, right] = equations(axis, size);
+    Eigen::SparseMatrix<double> normal = matrix.transpose() * matrix;
+    for (int i = 0; i < size; ++i)
+      if (is_fixed(i, size))
+        normal.coeffRef(i, i) = 1;
+    const Eigen::MatrixXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
+    for (int i = 0; i < size; ++i)
+      if (is_fixed(i, size))
+        result.control_points.push_back(end_of_curve(i));
+      else {
+        std::vector<double>& point = result.control_points.emplace_back();
+        for (int k = 0; k < dimension(); ++k)
+          point.push_back(solution(i, k));
+      }
+    return result;
+  }
+
+  int dimension() const { return static_cast<int>(m_samples.front().size()); }
+
+  // An open spline begins and ends where the curve does.
+  bool is_fixed(int control, int size) const { return !m_is_closed && (control == 0 || control == size - 1); }
+  const std::vector<double>& end_of_curve(int control) const { return control == 0 ? m_samples.front() : m_samples.back(); }
+
+  // One for each sample that is fitted: the weights of the control points, and the sample less what the fixed control points make of it.
+  std::pair<Eigen::SparseMatrix<double>, Eigen::MatrixXd> equations(const Knot_axis<double>& axis, int size) const
+  {
+    const int rows = static_cast<int>(m_samples.size() / 2);
     std::vector<Eigen::Triplet<double>> entries;
-    Eigen::MatrixXd right(rows, d);
+    Eigen::MatrixXd right(rows, dimension());
     for (int row = 0; row < rows; ++row) {
-      const double t = m_parameters[2 * row];
-      const std::size_t span = span_of(axis, t);
-      const std::vector<double> weights = derivative_weights(axis, span, t, 0);
-      for (int k = 0; k < d; ++k)
-        right(row, k) = m_samples[2 * row][k];
+      const std::size_t sample = 2 * static_cast<std::size_t>(row), span = span_of(axis, m_parameters[sample]);
+      const std::vector<double> weights = derivative_weights(axis, span, m_parameters[sample], 0);
+      for (int k = 0; k < dimension(); ++k)
+        right(row, k) = m_samples[sample][k];
       for (std::size_t i = 0; i < weights.size(); ++i) {
         const int control = static_cast<int>(span - 3 + i) % size;
-        if (fixed(control) == nullptr)
+        if (!is_fixed(control, size))
           entries.emplace_back(row, control, weights[i]);
         else
-          for (int k = 0; k < d; ++k)
-            right(row, k) -= weights[i] * (*fixed(control))[k];
+          for (int k = 0; k < dimension(); ++k)
+            right(row, k) -= weights[i] * end_of_curve(control)[k];
       }
     }
     Eigen::SparseMatrix<double> matrix(rows, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseMatrix<double> normal = matrix.transpose() * matrix;
-    for (int control = 0; control < size; ++control)
-      if (fixed(control) != nullptr)
-        normal.coeffRef(control, control) = 1;
-    const Eigen::MatrixXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(matrix.transpose() * right);
-    for (int control = 0; control < size; ++control) {
-      std::vector<double>& point = result.control_points.emplace_back();
-      for (int k = 0; k < d; ++k)
-        point.push_back(fixed(control) == nullptr ? solution(control, k) : (*fixed(control))[k]);
-    }
-    return result;
+    return {std::move(matrix), std::move(right)};
   }
 };
 
