@@ -6,6 +6,8 @@
 #include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <gtest/gtest.h>
 
 #include <cstddef>

@@ -13,12 +13,10 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

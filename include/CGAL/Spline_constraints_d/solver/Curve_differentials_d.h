@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/number/concepts.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
