@@ -205,12 +205,12 @@ void print_comparison(const Problem& problem, const std::vector<Program<Function
   print_row(row);
 }
 
-void compare_operations(const std::set<std::string>& selected)
+void compare_operations(const std::string& title, const std::vector<Operation_problem>& problems, const std::set<std::string>& selected)
 {
-  std::cout << "\nOperations in space, in the same way: the number of intersections, or the least distance.\n\n";
+  std::cout << '\n' << title << "\n\n";
   const std::vector<Operation_program> programs = operation_programs();
   print_header_of(programs);
-  for (const Operation_problem& problem : operation_problems())
+  for (const Operation_problem& problem : problems)
     if (selected.empty() || selected.contains(problem.name))
       print_comparison(problem, programs, runs_of(programs, [&](const auto& run) { return run(problem); }));
 }
@@ -265,6 +265,7 @@ int main(int argc, char** argv)
 {
   const std::set<std::string> selected(argv + 1, argv + argc);
   peers::compare_curve_intersections(selected);
-  peers::compare_operations(selected);
+  peers::compare_operations("Operations in space, in the same way: the number of intersections, or the least distance.", peers::operation_problems(), selected);
+  peers::compare_operations("Curves of two surfaces, in the same way: the number of curves, which are polylines or splines in the end.", peers::surface_problems(), selected);
   peers::print_system_problems(selected);
 }

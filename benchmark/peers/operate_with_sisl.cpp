@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// SISL: s1858 (surface and curve), s1371 (curve and sphere), s1953 and s1954 (nearest points of curve and surface), s1955 (nearest points of two curves).
+// SISL: s1858 (surface and curve), s1371 (curve and sphere), s1859 and s1310 (two surfaces, and marching along their curves), s1953 and s1954 (nearest points of curve and surface), s1955 (nearest points of two curves).
 #include "operation_problems.h"
 
 #include <sisl.h>
@@ -86,6 +86,20 @@ struct Result
 
   Run counted() const { return {.answer = {.points = points, .overlaps = curves, .has_failed = status < 0}, .phases = {}}; }
 
+  // The number of curves that marching has made points of.
+  Run marched(SISLSurf* one, SISLSurf* other) const
+  {
+    constexpr int curves_in_space = 1, no_graphics = 0;
+    constexpr double any_step = 0;
+    int marched = 0;
+    for (int i = 0; i < curves; ++i) {
+      int own_status = 0;
+      s1310(one, other, overlaps[i], curve_tolerance, any_step, curves_in_space, no_graphics, &own_status);
+      marched += own_status >= 0 && overlaps[i]->pgeom != nullptr;
+    }
+    return {.answer = {.points = marched, .has_failed = status < 0}, .phases = {}};
+  }
+
   // The least one of the points.
   template <class Distance>
   Run measured(const Distance& distance_of) const
@@ -110,6 +124,11 @@ Run operate_with_sisl(const Operation_problem& problem)
   case Operation::LINE_AND_SPHERE:
     s1371(curve_of(problem.first).get(), center.data(), problem.radius, dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves, &r.overlaps, &r.status);
     return r.counted();
+  case Operation::SURFACES: {
+    const Surface first = surface_of(problem.first), second = surface_of(problem.second);
+    s1859(first.get(), second.get(), unused_tolerance, tolerance, &r.points, &r.first, &r.second, &r.curves, &r.overlaps, &r.status);
+    return r.marched(first.get(), second.get());
+  }
   case Operation::NEAREST_ON_CURVE: {
     const Curve curve = curve_of(problem.second);
     s1953(curve.get(), point.data(), dimension, unused_tolerance, tolerance, &r.points, &r.first, &r.curves, &r.overlaps, &r.status);

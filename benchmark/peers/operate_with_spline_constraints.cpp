@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// This package: intersections() and closest_points(), with exact decisions.
+// This package: intersections(), intersection_curves() with polylines, and closest_points(), with exact decisions.
 #include "operation_problems.h"
 
 #include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -47,6 +48,16 @@ Run counted(const auto& intersections)
   return run;
 }
 
+// Curves count that have a polyline.
+Run drawn(const auto& intersection)
+{
+  Run run;
+  for (const auto& curve : intersection.curves())
+    run.answer.points += intersection.polyline(curve, curve_tolerance).size() > 1;
+  run.answer.undecided = intersection.is_complete() ? 0 : 1;
+  return run;
+}
+
 Run measured(const auto& closest)
 {
   Run run;
@@ -64,6 +75,7 @@ Run operate_with_spline_constraints(const Operation_problem& problem)
   case Operation::CURVE_AND_SURFACE: return counted(SC::intersections(curve_of(first), surface_of(second)));
   case Operation::LINE_AND_SPHERE:
     return counted(SC::intersections(K::Line_3(points_of(first)[0], points_of(first)[1]), K::Sphere_3(point_of(second), problem.radius * problem.radius)));
+  case Operation::SURFACES: return drawn(SC::intersection_curves(surface_of(first), surface_of(second)));
   case Operation::NEAREST_ON_CURVE: return measured(SC::closest_points(point_of(first), curve_of(second)));
   case Operation::NEAREST_ON_SURFACE: return measured(SC::closest_points(point_of(first), surface_of(second)));
   case Operation::NEAREST_OF_CURVES: break;

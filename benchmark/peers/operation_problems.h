@@ -21,7 +21,10 @@ struct Bezier_net
   std::vector<std::array<double, 3>> points;
 };
 
-enum class Operation { CURVE_AND_SURFACE, LINE_AND_SPHERE, NEAREST_ON_CURVE, NEAREST_ON_SURFACE, NEAREST_OF_CURVES };
+enum class Operation { CURVE_AND_SURFACE, LINE_AND_SPHERE, SURFACES, NEAREST_ON_CURVE, NEAREST_ON_SURFACE, NEAREST_OF_CURVES };
+
+// Curves that two surfaces have in common are handed over as polylines or splines at this distance at most.
+constexpr double curve_tolerance = 1e-3;
 
 struct Operation_problem
 {
@@ -32,6 +35,38 @@ struct Operation_problem
   double radius;              // of the sphere
   Intersections truth;
 };
+
+// A surface over [x0,x1]^2 of the plane, with these heights of its control points.
+template <class Height>
+Bezier_net height_field(int degree, double x0, double x1, const Height& height)
+{
+  Bezier_net result{{degree, degree}, {}};
+  const auto place = [&](int i) { return x0 + (x1 - x0) * i / degree; };
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= degree; ++j)
+      result.points.push_back({place(i), place(j), height(i, j)});
+  return result;
+}
+
+// Pairs of surfaces with closed curves, and open ones, in common.
+inline std::vector<Operation_problem> surface_problems()
+{
+  const auto curves = [](int count) { return Intersections{.points = count}; };
+  const double a[] = {-1, 5, -5, 1}, h[] = {1, 3, 9, -2, 2, -1, -4, 8, -6, -9, 6, -7, 4, -7, 4, 8};
+  const auto waves = [&](int i, int j) { return 10 * (a[i] + a[j]); };
+  const auto plane = [](double x0, double x1, double z) { return height_field(1, x0, x1, [z](int, int) { return z; }); };
+  // z = (x - 0.37)^2 + (y - 0.61)^2 above the unit square
+  const auto bowl = height_field(2, 0, 1, [](int i, int j) {
+    const auto squared = [](double c, int k) { return k == 0 ? c * c : k == 1 ? c * c - c : (1 - c) * (1 - c); };
+    return squared(0.37, i) + squared(0.61, j);
+  });
+  using enum Operation;
+  return {{"d1", "two bicubic surfaces: 1 loop, 3 arcs", SURFACES, height_field(3, 0, 3, [&](int i, int j) { return waves(i, j) + h[4 * i + j]; }),
+           height_field(3, 0, 3, [&](int i, int j) { return 19 + h[4 * i + j]; }), 0, curves(4)},
+          {"d5", "bicubic surface and plane: 1 loop, 3 arcs", SURFACES, height_field(3, 0, 3, waves), plane(-1, 4, 19), 0, curves(4)},
+          {"l1", "bowl and plane: a loop of radius 0.005", SURFACES, bowl, plane(0, 1, 0.005 * 0.005), 0, curves(1)},
+          {"l2", "bowl and plane: a loop of radius 0.0005", SURFACES, bowl, plane(0, 1, 0.0005 * 0.0005), 0, curves(1)}};
+}
 
 inline std::vector<Operation_problem> operation_problems()
 {

@@ -18,9 +18,11 @@
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
 #include <CGAL/Spline_constraints_d/function/expression_derivative.h>
 #include <CGAL/Spline_constraints_d/function/linear_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
+#include <CGAL/Spline_constraints_d/solver/curve_extremes.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/newton_improvement.h>
 #include <CGAL/Spline_constraints_d/solver/verify.h>

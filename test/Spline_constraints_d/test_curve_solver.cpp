@@ -105,6 +105,17 @@ TEST(Curve_solver, product_of_Chebyshev_polynomials)
     EXPECT_EQ(sides.count(side), 4u) << side;
 }
 
+TEST(Curve_solver, products_of_Chebyshev_polynomials_of_high_degree)
+{
+  // A closed curve around each extreme inside where the product is 1 (or -1), an open one around each of those on the boundary.
+  auto [x, y] = unknowns({-1, 1}, {-1, 1});
+  const auto twice = [](const SC::Expression& t) { return 2 * square(t) - 1; };   // T_2(T_d) = T_2d
+  const auto t8 = [&](const SC::Expression& t) { return twice(twice(twice(t))); };
+  expect_curves(SC::solve_curves(t8(x) * t8(y) == Rational(1, 2)), 25, 16);
+  expect_curves(SC::solve_curves(twice(t8(x)) * twice(t8(y)) == Rational(1, 2)), 113, 32);
+  expect_curves(SC::solve_curves(t8(x) * t8(y) == Rational(-1, 2)), 24, 16);
+}
+
 TEST(Curve_solver, curves_cross_at_rational_and_irrational_points)
 {
   auto [x, y] = unknowns({-1, 1}, {-1, 1});

@@ -4,6 +4,7 @@
 // Curves of intersection of two surfaces: known sections of quadrics and tori, height fields, contacts, seams, small loops, rigid motions, random height fields against an independent count.
 
 #include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -180,6 +181,22 @@ TEST(Intersection_curves, plane_and_sphere)
     const Intersection contact = expect_curves(surface, touching, 0, 0, 1);
     EXPECT_EQ(contact.singular_points()[0].kind(), SC::Intersection_kind::TANGENT);
     EXPECT_LT(distance(contact.singular_points()[0].point(), touching.projection(Point(0, 0, 0))), 1e-10);
+  }
+}
+
+TEST(Intersection_curves, curvature_in_space)
+{
+  const Surface surface = SC::sphere_surface<K>(Point(0, 0, 0), 3);
+  const Intersection section = expect_curves(surface, K::Plane_3(1, 2, 2, -5), 1, 0);
+  const SC::Spline_map<2, 3> map(surface);
+  auto [u, v] = SC::unknowns({map.domain(0).first, map.domain(0).second}, {map.domain(1).first, map.domain(1).second});
+  for (const SC::Curve_vertex& vertex : section.solutions().vertices()) {
+    const auto at = SC::curve_differentials(section.system(), vertex);
+    ASSERT_TRUE(at);
+    const SC::Mpfr_interval curvature = at->image(map(u, v)).squared_curvature();
+    EXPECT_LE(curvature.lower(), Rational(9, 56));   // of the circle with the radius sqrt(9 - 25/9)
+    EXPECT_GE(curvature.upper(), Rational(9, 56));
+    EXPECT_LT(Rational(curvature.upper() - curvature.lower()), Rational(1, 1000000));
   }
 }
 

@@ -72,7 +72,7 @@ struct Constraint
   std::vector<Power_polynomial> conditions;
 
 #ifndef DOXYGEN_RUNNING
-  std::shared_ptr<const internal::Symbol_table> symbols;   // what the indices mean
+  std::shared_ptr<internal::Symbol_table> symbols;   // what the indices mean
 #endif
 
   /*!

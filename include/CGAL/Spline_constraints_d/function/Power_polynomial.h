@@ -255,7 +255,13 @@ public:
 
   //! the exact value at a point, whose coordinates are indexed by unknown.
   //! \throws Invalid_input when the point has too few coordinates.
-  Exact_rational operator()(std::span<const Exact_rational> point) const;
+  Exact_rational operator()(std::span<const Exact_rational> point) const { return value(point); }
+
+#ifndef DOXYGEN_RUNNING
+  // The same with the numbers of a ring that rationals convert to.
+  template <class NT>
+  NT value(std::span<const NT> point) const;
+#endif
 
   //! the polynomial with an unknown replaced by a polynomial.
   Power_polynomial substituted(int variable, const Power_polynomial& replacement) const;

@@ -10,6 +10,8 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -168,6 +170,13 @@ public:
 
   //! the curves as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates; then, if they are needed, the coordinates in space.
   const Curve_solution_set_d& solutions() const { return m_solutions; }
+
+  //! the equations that were solved, for `curve_differentials()` and `fit_spline()`. \pre The bounds of the surfaces meet, as they do if there is a curve.
+  const Constraint_system_d& system() const
+  {
+    CGAL_precondition(m_surfaces.has_system());
+    return m_surfaces.system();
+  }
 
   //! the work.
   const Summary& summary() const { return m_summary; }

@@ -132,6 +132,33 @@ private:
   }
 };
 
+// Horner's scheme along an axis of a tensor of coefficients of powers.
+template <class NT>
+std::vector<NT> contracted(const std::vector<NT>& values, const Axis_view& view, const NT& x)
+{
+  std::vector<NT> result;
+  for (std::size_t o = 0; o < view.outer; ++o)
+    for (std::size_t i = 0; i < view.inner; ++i) {
+      NT sum(Exact_rational(0));
+      for (int k = view.degree; k >= 0; --k)
+        sum = sum * x + values[(o * (view.degree + 1) + k) * view.inner + i];
+      result.push_back(sum);
+    }
+  return result;
+}
+
+// The value of a tensor of coefficients of powers.
+template <class NT>
+NT tensor_value(const std::vector<Exact_rational>& coefficients, const std::vector<int>& degrees, std::span<const NT> point)
+{
+  std::vector<NT> values;
+  for (const Exact_rational& coefficient : coefficients)
+    values.push_back(NT(coefficient));
+  for (std::size_t j = point.size(); j-- > 0;)
+    values = contracted(values, axis_view({degrees.begin(), degrees.begin() + j + 1}, j), point[j]);
+  return values[0];
+}
+
 /*
 An exact spline over one common denominator, as formulas use it: operations are convolutions of integers. Continuous unless said otherwise.
 */
@@ -301,17 +328,16 @@ public:
   }
 
   // The value at a point of the domain.
-  Exact_rational operator()(std::span<const Exact_rational> point) const
+  Exact_rational operator()(std::span<const Exact_rational> point) const { return value(point, point); }
+
+  // The value, with the numbers of a ring that rationals convert to, of the piece that a place is in.
+  template <class NT>
+  NT value(std::span<const Exact_rational> place, std::span<const NT> point) const
   {
     std::size_t index = 0;
     for (int j = 0; j < dimension(); ++j)
-      index = index * cells_between(breaks()[j]) + cell_at(breaks()[j], point[j]);
-    std::vector<Exact_rational> values;
-    for (const Big_integer& coefficient : pieces()[index])
-      values.push_back(scaled_rational(coefficient, 0));
-    for (std::size_t j = point.size(); j-- > 0;)
-      values = contracted(values, axis_view({degrees().begin(), degrees().begin() + j + 1}, j), point[j]);
-    return values[0] / scaled_rational(m_denominator, 0);
+      index = index * cells_between(breaks()[j]) + cell_at(breaks()[j], place[j]);
+    return tensor_value(rational(index), degrees(), point) * NT(Exact_rational(1 / scaled_rational(m_denominator, 0)));
   }
 
   // Throws when neighbouring pieces differ where they meet.
@@ -344,20 +370,6 @@ private:
     std::vector<Exact_rational> result;
     for (const Big_integer& coefficient : pieces()[piece])
       result.push_back(scaled_rational(coefficient, 0));
-    return result;
-  }
-
-  // Horner's scheme along an axis.
-  static std::vector<Exact_rational> contracted(const std::vector<Exact_rational>& values, const Axis_view& view, const Exact_rational& x)
-  {
-    std::vector<Exact_rational> result;
-    for (std::size_t o = 0; o < view.outer; ++o)
-      for (std::size_t i = 0; i < view.inner; ++i) {
-        Exact_rational sum(0);
-        for (int k = view.degree; k >= 0; --k)
-          sum = sum * x + values[(o * (view.degree + 1) + k) * view.inner + i];
-        result.push_back(sum);
-      }
     return result;
   }
 

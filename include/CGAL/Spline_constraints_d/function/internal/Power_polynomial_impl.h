@@ -275,19 +275,20 @@ inline Power_polynomial Power_polynomial::derivative(int variable) const
   return result;
 }
 
-inline Exact_rational Power_polynomial::operator()(std::span<const Exact_rational> point) const
+template <class NT>
+NT Power_polynomial::value(std::span<const NT> point) const
 {
   if (const int last = largest_variable(); last >= 0 && static_cast<std::size_t>(last) >= point.size())
     throw Invalid_input("Power_polynomial: a point of " + std::to_string(point.size()) + " coordinates, but unknown "
                         + std::to_string(last) + " occurs");
-  std::map<std::pair<int, int>, Exact_rational> powers;   // each power of a coordinate is computed once
-  Exact_rational result(0);
+  std::map<std::pair<int, int>, NT> powers;   // each power of a coordinate is computed once
+  NT result(Exact_rational(0));
   for (const auto& [monomial, coefficient] : m_terms) {
-    Exact_rational value(coefficient);
+    NT value(coefficient);
     for (const auto& power_of_unknown : monomial.powers) {
       auto position = powers.find(power_of_unknown);
       if (position == powers.end()) {
-        Exact_rational power(1), square(point[static_cast<std::size_t>(power_of_unknown.first)]);
+        NT power(Exact_rational(1)), square(point[static_cast<std::size_t>(power_of_unknown.first)]);
         for (int rest = power_of_unknown.second; rest > 0; rest >>= 1) {
           if (rest & 1)
             power *= square;

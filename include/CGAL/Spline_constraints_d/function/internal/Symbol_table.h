@@ -145,13 +145,17 @@ public:
   }
 
   // The value at a point. Throws when a symbol has none.
-  Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const
+  Exact_rational value(const Power_polynomial& polynomial, std::span<const Exact_rational> point) const { return value(polynomial, point, point); }
+
+  // The same with the numbers of a ring that rationals convert to, of the pieces of splines that a place is in.
+  template <class NT>
+  NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place, std::span<const NT> point) const
   {
     if (point.size() != m_domains.size())
       throw Invalid_input("Expression: a point with " + std::to_string(point.size()) + " coordinates for " + std::to_string(m_domains.size()) + " unknowns");
-    std::vector<std::optional<Exact_rational>> known(point.begin(), point.end());
+    std::vector<std::optional<NT>> known(point.begin(), point.end());
     known.resize(size());
-    return value(polynomial, known);
+    return value(polynomial, place, known);
   }
 
 private:
@@ -162,29 +166,34 @@ private:
     return result;
   }
 
-  Exact_rational value(const Power_polynomial& polynomial, std::vector<std::optional<Exact_rational>>& known) const
+  template <class NT>
+  NT value(const Power_polynomial& polynomial, std::span<const Exact_rational> place, std::vector<std::optional<NT>>& known) const
   {
     const std::vector<int> symbols = polynomial.variables();
-    std::vector<Exact_rational> values(symbols.empty() ? 0 : symbols.back() + 1, Exact_rational(0));
+    std::vector<NT> values(symbols.empty() ? 0 : symbols.back() + 1, NT(Exact_rational(0)));
     for (int s : symbols) {
       if (!known[s])
-        known[s] = value_of_symbol(s, known);
+        known[s] = value_of_symbol(s, place, known);
       values[s] = *known[s];
     }
-    return polynomial(values);
+    return polynomial.value(std::span<const NT>(values));
   }
 
-  Exact_rational value_of_symbol(int index, std::vector<std::optional<Exact_rational>>& known) const
+  template <class NT>
+  NT value_of_symbol(int index, std::span<const Exact_rational> place, std::vector<std::optional<NT>>& known) const
   {
     const Symbol& symbol = (*this)[index];
     if (symbol.kind == Symbol::Kind::WITHOUT_RANGE)
       throw Invalid_input("Expression: an unknown without a range has no value");
     if (symbol.kind == Symbol::Kind::FORMULA)
-      return value(symbol.formula, known);
-    std::vector<Exact_rational> parameters;
-    for (int u : symbol.unknowns)
+      return value(symbol.formula, place, known);
+    std::vector<Exact_rational> place_of_parameters;
+    std::vector<NT> parameters;
+    for (int u : symbol.unknowns) {
+      place_of_parameters.push_back(place[u]);
       parameters.push_back(*known[u]);
-    return (*symbol.spline)(parameters);
+    }
+    return symbol.spline->value(std::span<const Exact_rational>(place_of_parameters), std::span<const NT>(parameters));
   }
 };
 

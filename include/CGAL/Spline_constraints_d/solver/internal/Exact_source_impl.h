@@ -26,7 +26,7 @@ inline std::vector<std::vector<Exact_rational>> Exact_source::collect_breaks(con
         std::vector<Exact_rational>& breaks = result[term.variables[j]];
         if (breaks.empty())
           breaks = {lower, upper};   // also of a domain that is one point
-        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks), [&](const Exact_rational& b) { return lower < b && b < upper; });
+        std::copy_if(term.breaks[j].begin(), term.breaks[j].end(), std::back_inserter(breaks), [&lower = lower, &upper = upper](const Exact_rational& b) { return lower < b && b < upper; });
       }
   for (std::vector<Exact_rational>& breaks : result)
     if (breaks.size() > 2) {
