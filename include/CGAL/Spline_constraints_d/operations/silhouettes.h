@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SILHOUETTES_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_zeros.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Tangent_planes.h>
 
 #include <array>
 
