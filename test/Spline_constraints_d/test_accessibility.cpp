@@ -128,6 +128,21 @@ TEST(Accessibility, along_normals)
   expect_touching(surface, {}, center, 1, expect_curves(surface, SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), {}, 1, 0));
 }
 
+TEST(Accessibility, fields_of_directions)
+{
+  // Rays from one point below the plane: the shadow of the unit ball above it is a circle of the radius 10 tan(a) with sin(a) = 1/15.
+  const SC::Tool_axis<K> rays{.field = SC::bilinear_surface<K>(Point(-4, -4, 10), Point(-4, 4, 10), Point(4, -4, 10), Point(4, 4, 10))};
+  const Point center(0, 0, 5);
+  const Curves circle = expect_curves(plane, K::Sphere_3(center, 1), rays, 1, 0);
+  for (const auto& sample : circle.polyline(circle.curves()[0], 1e-2))
+    EXPECT_NEAR(length(sample.point - Point(0, 0, 0)), 10 / std::sqrt(224.0), tiny);
+  const Curves same = expect_curves(plane, SC::sphere_surface<K>(center, center + Vector(Rational(2, 7), Rational(3, 7), Rational(6, 7))), rays, 1, 0);
+  for (const auto& sample : same.polyline(same.curves()[0], 1e-2))
+    EXPECT_NEAR(length(sample.point - Point(0, 0, 0)), 10 / std::sqrt(224.0), tiny);
+  EXPECT_THROW(SC::accessibility_boundaries(dome(), K::Sphere_3(center, 1), {.direction = up, .field = rays.field}), SC::Invalid_input);
+  EXPECT_THROW(SC::accessibility_boundaries(SC::cylinder_surface<K>(Point(0, 0, 1), 1, 1), K::Sphere_3(center, 1), rays), SC::Invalid_input);
+}
+
 TEST(Accessibility, random_balls)
 {
   const Surface surface = dome();

@@ -37,7 +37,7 @@ struct Surface_curve
   std::size_t part;                          ///< the index of the part of the domain that it lies in
   std::vector<Intersection_arc> arcs;        ///< between seams and poles; indices are those of curves in `Surface_curves_3::solutions(part)`
   bool is_closed;                            ///< whether the last arc ends where the first one begins
-  std::optional<Constant_parameter> line{};  ///< of a curve along a break, a seam or an edge of the surface, which has no arcs
+  std::optional<Constant_parameter> line{};  ///< of a curve along a break, a seam or an edge of the surface, which has no arcs and is not joined with other curves
 };
 
 } // namespace Spline_constraints

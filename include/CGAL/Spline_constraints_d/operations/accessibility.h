@@ -28,11 +28,14 @@ The direction in which a straight tool stands on a surface.
 template <SplineKernel Kernel>
 struct Tool_axis
 {
-  //! the same direction everywhere, of any length; none: the normal \f$S_u \times S_v\f$ of the surface.
+  //! the same direction everywhere, of any length; none: the normal \f$S_u \times S_v\f$ of the surface, unless there is a field.
   std::optional<typename Kernel::Vector_3> direction{};
 
   //! admits only directions \f$O\f$ with \f$\langle O, V\rangle > 0\f$ for this \f$V\f$; none: all. Curves end where this is zero; where it is, is not part of the result.
   std::optional<typename Kernel::Vector_3> hemisphere{};
+
+  //! a field of directions over the domain of the surface, points standing for the vectors from the origin to them; none: normals. Where it is tangent to the surface the tool does not stand.
+  std::optional<Bspline_surface_3<Kernel>> field{};
 };
 
 namespace internal {
@@ -44,16 +47,21 @@ class Access_boundaries
   using Vector = Exact_kernel::Vector_3;
 
   std::optional<Vector> m_direction, m_hemisphere;
+  std::optional<Spline_patch<3>> m_field;
   Solver_options m_options;
   std::vector<Oriented_patch> m_parts;
   Surface_curves_3<Kernel> m_curves;
 
 public:
-  //! \throws Invalid_input when a vector is zero or not finite.
+  //! \throws Invalid_input when a vector is zero or not finite, or the field has another domain than the surface, or a direction beside it.
   Access_boundaries(const Spline_patch<3>& surface, const Tool_axis<Kernel>& axis, const Solver_options& options)
     : m_direction(checked(axis.direction)), m_hemisphere(checked(axis.hemisphere)), m_options(options), m_curves(point_on_surface(surface))
   {
     m_options.check();
+    if (axis.field)
+      m_field.emplace(*axis.field);
+    if (m_field && (m_direction || m_field->domain(0) != surface.domain(0) || m_field->domain(1) != surface.domain(1)))
+      throw Invalid_input("accessibility_boundaries: a field of directions has another domain than the surface, or there is a direction beside it");
     if (m_direction && m_hemisphere && !(*m_direction * *m_hemisphere > 0))
       return;   // no direction is admitted
     for (Oriented_patch& part : oriented_patches(surface))
@@ -107,18 +115,22 @@ private:
 
   Vector_expression<3> tool_axis(const Oriented_patch& part, std::span<const Unknown> u) const
   {
-    return m_direction ? constant(*m_direction) : Parametric_vector<3>(part.normal)(u.first(2));
+    return m_direction ? constant(*m_direction) : m_field ? field_vector(part)(u.first(2)) : Parametric_vector<3>(part.normal)(u.first(2));
   }
+
+  Parametric_vector<3> field_vector(const Oriented_patch& part) const { return Parametric_vector<3>(m_field->part({part.patch.domain(0), part.patch.domain(1)}).numerators()); }
 
   // That the ray meets a point: its offset is orthogonal to two vectors that are orthogonal to the axis.
   std::vector<Constraint> meeting(const Oriented_patch& part, const Parametric_vector<3>& point, std::span<const Unknown> u) const
   {
     const Vector_expression<3> ray = point(u.subspan(2)) - Parametric_vector<3>(part.patch)(u.first(2));
     const auto across = [&](int axis) {
-      if (!m_direction)
-        return Parametric_vector<3>(part.tangents[static_cast<std::size_t>(axis)])(u.first(2));
-      const Vector first = perpendicular(*m_direction);
-      return constant(axis == 0 ? first : CGAL::cross_product(*m_direction, first));
+      if (m_direction) {
+        const Vector first = perpendicular(*m_direction);
+        return constant(axis == 0 ? first : CGAL::cross_product(*m_direction, first));
+      }
+      const Vector_expression<3> tangent = Parametric_vector<3>(part.tangents[static_cast<std::size_t>(axis)])(u.first(2));
+      return m_field ? cross(tool_axis(part, u), tangent) : tangent;
     };
     return {dot(ray, across(0)) == 0, dot(ray, across(1)) == 0, dot(ray, tool_axis(part, u)) > 0};
   }
@@ -199,11 +211,13 @@ private:
     Constraint_system_d system(domain);
     for (const Constraint& constraint : constraints(u))
       system.add(constraint);
+    if (m_field)
+      system.add(dot(tool_axis(part, u), Parametric_vector<3>(part.normal)(std::span<const Unknown>(u).first(2))) != 0);
     if (m_hemisphere && !m_direction)
       system.add(dot(tool_axis(part, u), constant(*m_hemisphere)) > 0);
     Domain_joints joints;
     for (std::size_t i = 0; i < domain.size(); ++i)
-      if (i < 2 ? part.is_seam[i] : is_closed[i - 2])
+      if (i < 2 ? part.is_seam[i] && (!m_field || m_field->is_closed(static_cast<int>(i))) : is_closed[i - 2])
         joints.closed_unknowns.push_back(i);
     Curve_solution_set_d solutions = solve_curves(system, m_options);
     m_curves.add(std::move(system), std::move(solutions), joints);
@@ -232,7 +246,7 @@ void add_check(Access_boundaries<Kernel>& boundaries, const Surface& surface)
 the curves on a surface between the places that a thin straight tool, as in 5-axis milling, can reach and those where a check surface is in its way: where the ray from \f$S(u,v)\f$ along the axis \f$O(u,v)\f$ of the tool touches the
 check surface \f$K(s,t)\f$, or meets an edge or a crease of it,
 \f[ \langle K - S, O_1\rangle = \langle K - S, O_2\rangle = \langle n_K, O\rangle = 0, \quad \langle K - S, O\rangle > 0, \f]
-where \f$O_1\f$ and \f$O_2\f$ span the plane at a right angle to \f$O\f$; these are \f$S_u\f$ and \f$S_v\f$ for the normal. Each region of the surface between these curves is reached as a whole or not at all. The topology of the curves is proved.
+where \f$O_1\f$ and \f$O_2\f$ span the plane at a right angle to \f$O\f$; these are \f$S_u\f$ and \f$S_v\f$ for the normal, \f$O \times S_u\f$ and \f$O \times S_v\f$ for a field. Each region of the surface between these curves is reached as a whole or not at all. The topology of the curves is proved.
 
 Other than in the source, the third equation has the axis in the place of \f$S - K\f$, which is parallel to it: so points where the surfaces meet are no solutions, and the degree is lower. The inequality leaves only what is ahead of the
 tool, not behind it, and edges of the check surface count, too. Of a sphere, the equation is \f$|(c - S) \times O|^2 = r^2 |O|^2\f$, with \f$c\f$ ahead, in the two parameters of the surface only.
@@ -245,7 +259,7 @@ Both surfaces are cut where normals or tangents jump, and each two parts have cu
 \param check the check surface: such a surface as well, whose parameters, or the one along its edge, are the further unknowns; or a `CGAL::Sphere_3`, without unknowns.
 \param axis the directions of the tool.
 \param options those of `solve_curves()`; limits hold for each two parts.
-\throws Invalid_input when a direction is zero, the sphere is degenerate, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\throws Invalid_input when a direction is zero, a field of directions has another domain than the surface or comes with a direction, the sphere is degenerate, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
 
 Complexity: that of `solve_curves()` with three equations in four unknowns, and of two in three for each edge; of a sphere, of one in two. Source: \cgalCite{ek-gcs-01}, section 3.5.
 */
