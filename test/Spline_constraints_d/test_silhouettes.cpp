@@ -80,14 +80,21 @@ const Surface sphere = SC::sphere_surface<K>(center, 2), torus = SC::torus_surfa
 
 const K::Aff_transformation_3 quarter_turn(0, 0, 1, 2, 1, 0, 0, -1, 0, 1, 0, 5);   // x to y to z to x, and a translation
 
-Surface random_patch(std::mt19937& generator)
+Surface random_surface(int degree, int pieces, bool is_rational, std::mt19937& generator)
 {
-  std::uniform_int_distribution<int> offset(-40, 40);
+  std::uniform_int_distribution<int> offset(-40, 40), weight(2, 5);
   std::vector<Point> points;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      points.emplace_back(30 * i + offset(generator) / 4, 30 * j + offset(generator) / 4, offset(generator));
-  return Surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
+  std::vector<Rational> weights, knots(static_cast<std::size_t>(degree), 0);
+  for (int i = 0; i < degree + pieces; ++i)
+    for (int j = 0; j < degree + pieces; ++j) {
+      points.emplace_back(3 * i + Rational(offset(generator), 40), 3 * j + Rational(offset(generator), 40), Rational(offset(generator), 10));
+      if (is_rational)
+        weights.emplace_back(weight(generator));
+    }
+  for (int i = 0; i <= pieces; ++i)
+    knots.emplace_back(i);
+  knots.insert(knots.end(), static_cast<std::size_t>(degree), pieces);
+  return Surface({degree, degree}, knots, knots, points, weights);
 }
 
 } // namespace
@@ -138,7 +145,8 @@ TEST(Silhouettes, random_patches)
   std::mt19937 generator(5);
   std::size_t curves = 0;
   for (int round = 0; round < 12; ++round) {
-    const Surface patch = random_patch(generator);
+    const int pieces = round % 4 == 3 ? 3 : 1;
+    const Surface patch = random_surface(pieces == 1 ? 3 : 2, pieces, round % 2 == 1, generator);
     const Vector direction(round % 3 - 1, 2, Rational(round, 5) - 1);
     const Curves set = SC::silhouettes(patch, direction);
     ASSERT_TRUE(set.is_complete()) << round;
@@ -149,7 +157,10 @@ TEST(Silhouettes, random_patches)
     constexpr int n = 60;
     for (const int axis : {0, 1})
       for (const int side : {0, 1}) {
-        const auto sign = [&](int i) { return CGAL::sign(direction * (axis == 0 ? patch.normal(side, Rational(i, n)) : patch.normal(Rational(i, n), side))); };
+        const auto sign = [&](int i) {
+          const Rational end(side * pieces), t(Rational(i * pieces) / n);
+          return CGAL::sign(direction * (axis == 0 ? patch.normal(end, t) : patch.normal(t, end)));
+        };
         for (int i = 0; i < n; ++i)
           ends += sign(i) != sign(i + 1);
       }
@@ -165,10 +176,13 @@ TEST(Silhouettes, random_patches)
 TEST(Silhouettes, breaks_and_creases)
 {
   std::mt19937 generator(7);
-  const Surface patch = random_patch(generator);
+  const Surface patch = random_surface(3, 1, false, generator);
   const Vector direction(1, 2, 0);
-  const std::size_t curves = expect_silhouettes(patch, direction, 0, 1).curves().size();
-  EXPECT_EQ(SC::silhouettes(patch.with_knot(0, Rational(1, 3)).with_knot(1, Rational(1, 2)), direction).curves().size(), curves);
+  const Curves curves = SC::silhouettes(patch, direction), in_pieces = SC::silhouettes(patch.with_knot(0, Rational(1, 3)).with_knot(1, Rational(1, 2)), direction);
+  EXPECT_TRUE(curves.is_complete() && in_pieces.is_complete());
+  EXPECT_FALSE(curves.curves().empty());
+  EXPECT_EQ(in_pieces.number_of_open_curves(), curves.number_of_open_curves());
+  EXPECT_EQ(in_pieces.number_of_closed_curves(), curves.number_of_closed_curves());
   // A roof with a round top over each half: the crease cuts the domain in two.
   const Surface roofs({2, 1}, {0, 0, 0, 1, 1, 2, 2, 2}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 4, 0}, {1, 0, 2}, {1, 4, 2}, {2, 0, 0}, {2, 4, 0}, {3, 0, 2}, {3, 4, 2}, {4, 0, 0}, {4, 4, 0}});
   EXPECT_EQ(expect_silhouettes(roofs, Vector(1, 0, 0), 0, 2).curves()[1].part, 1u);
