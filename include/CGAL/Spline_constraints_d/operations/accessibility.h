@@ -253,7 +253,7 @@ tool, not behind it, and edges of the check surface count, too. Of a sphere, the
 
 For a tool with a radius, the check surface has to be replaced by its offset, which is a sphere for a sphere.
 
-Both surfaces are cut where normals or tangents jump, and each two parts have curves of their own. Where the axis of the tool runs along an edge of the check surface, where the surfaces touch, and in singular points of higher order the answer is undecided.
+Both surfaces are cut where normals or tangents jump by more than a constant factor, and each two parts have curves of their own; cuts of the check surface count as creases. Where the axis of the tool runs along an edge of the check surface, where the surfaces touch, and in singular points of higher order the answer is undecided.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one. Its parameters are the first two unknowns.
 \param check the check surface: such a surface as well, whose parameters, or the one along its edge, are the further unknowns; or a `CGAL::Sphere_3`, without unknowns.

@@ -11,9 +11,10 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,7 @@ Cell_functions<1> combined(const Cell_functions<k>& functions, const std::array<
   });
 }
 
+// A function of two unknowns.
 inline Expression formula(const Exact_function& f, std::span<const Unknown> u)
 {
   const Exact_function zero = f * Exact_rational(0);
