@@ -7,7 +7,7 @@
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg), or
 // written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
-#include "surface_intersection_output.h"
+#include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>

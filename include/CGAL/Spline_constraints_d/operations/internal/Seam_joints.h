@@ -24,6 +24,8 @@ Joins curves of solutions where they cross the seam of a closed surface.
 
 On the faces of the domain at both ends of a closed unknown, the equations have the same solutions. All of them are known, so if the box of a vertex on one face meets the box of just one vertex on the other face, and the other way
 round, the two are the same point: its vertex on the other face has a box that holds it too. What is not that clear is not joined.
+
+A pole is a face of the domain that is one point in space. Two curves that end there, and no others, are joined.
 */
 class Seam_joints
 {
@@ -33,12 +35,19 @@ class Seam_joints
   bool m_is_complete = true;
 
 public:
-  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns)
+  // A face of the domain: an unknown and its value.
+  using Face = std::pair<std::size_t, Exact_rational>;
+
+  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns, const std::vector<Face>& poles = {})
     : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size())
   {
     std::iota(m_point.begin(), m_point.end(), 0);
     for (const std::size_t unknown : closed_unknowns)
       identify(unknown, system.domain(static_cast<int>(unknown)));
+    for (const auto& [unknown, value] : poles)
+      if (const std::vector<std::size_t> all = on_face(unknown, value); !all.empty())
+        for (const std::size_t i : all)
+          m_point[root(i)] = root(all.front());
     for (std::size_t i = 0; i < m_point.size(); ++i)
       m_point[i] = root(i);
     for (std::size_t c = 0; c < set.curves().size(); ++c)
@@ -49,6 +58,9 @@ public:
 
   // Whether the points on both sides of all seams were matched.
   bool is_complete() const { return m_is_complete; }
+
+  // A vertex that stands for all that are the same point in space as a given one.
+  std::size_t representative(std::size_t vertex) const { return m_point[vertex]; }
 
   std::vector<Intersection_curve> curves() const
   {

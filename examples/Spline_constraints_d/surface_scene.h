@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How surface_intersection draws: two surfaces as tiles in parallel projection, those behind first, with curves on them.
-#ifndef SURFACE_INTERSECTION_OUTPUT_H
-#define SURFACE_INTERSECTION_OUTPUT_H
+// Draws surfaces as tiles in parallel projection, those behind first, with curves on them.
+#ifndef SURFACE_SCENE_H
+#define SURFACE_SCENE_H
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
@@ -28,14 +28,19 @@ class Scene
     double depth;
     std::vector<K::Point_2> corners;   // two of a chord
     std::string color;
+    double width = 0;
   };
 
-  std::vector<Patch> m_patches;
+  std::vector<Patch> m_patches, m_hidden;
   CGAL::Bbox_2 m_box;
 
   static constexpr int tiles = 28;   // per axis
+  static constexpr double turn = 0.52, rise = 0.6;
 
 public:
+  // To the viewer, who looks from above, turned by 30 degrees.
+  static K::Vector_3 direction() { return {-std::cos(rise) * std::sin(turn), -std::cos(rise) * std::cos(turn), std::sin(rise)}; }
+
   void add(const Surface& surface, const std::array<double, 3>& color)
   {
     const auto point = [&](int i, int j) {
@@ -51,12 +56,15 @@ public:
       }
   }
 
-  // On the surfaces: nearer than their tiles.
-  void add(const std::vector<K::Point_3>& polyline, const std::string& color)
+  // On the surfaces: nearer than their tiles. What these hide is left out, or drawn as a thin line.
+  void add(const std::vector<K::Point_3>& polyline, const std::string& color, double width = 3, bool shows_hidden = false)
   {
     const double tile = (m_box.xmax() - m_box.xmin()) / tiles;
-    for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
-      add_patch({polyline[i], polyline[i + 1]}, color, 1.5 * tile);
+    for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+      add_patch({polyline[i], polyline[i + 1]}, color, 1.5 * tile, width);
+      if (shows_hidden)
+        m_hidden.push_back(m_patches.back());
+    }
   }
 
   void write(std::ostream& out)
@@ -66,9 +74,11 @@ public:
     std::stable_sort(m_patches.begin(), m_patches.end(), [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
     for (const Patch& patch : m_patches)
       if (patch.corners.size() == 2)
-        picture.curve(CGAL::Spline_constraints::polyline_curve(patch.corners), patch.color, 3);
+        picture.curve(CGAL::Spline_constraints::polyline_curve(patch.corners), patch.color, patch.width);
       else
         picture.polygon(patch.corners, patch.color);
+    for (const Patch& patch : m_hidden)
+      picture.curve(CGAL::Spline_constraints::polyline_curve(patch.corners), patch.color, 0.8);
   }
 
 private:
@@ -81,12 +91,10 @@ private:
     return result;
   }
 
-  // The viewer looks from above, turned by 30 degrees.
-  void add_patch(const std::vector<K::Point_3>& corners, const std::string& color, double nearer)
+  void add_patch(const std::vector<K::Point_3>& corners, const std::string& color, double nearer, double width = 0)
   {
-    constexpr double turn = 0.52, rise = 0.6;
     const double grid = corners.size() == 2 ? 1024 : 100;   // for short numbers in the file
-    Patch patch{nearer, {}, color};
+    Patch patch{nearer, {}, color, width};
     for (const K::Point_3& p : corners) {
       const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(), away = std::sin(turn) * p.x() + std::cos(turn) * p.y();
       patch.corners.emplace_back(std::round(grid * across) / grid, std::round(grid * (std::cos(rise) * p.z() + std::sin(rise) * away)) / grid);
@@ -97,4 +105,4 @@ private:
   }
 };
 
-#endif // SURFACE_INTERSECTION_OUTPUT_H
+#endif // SURFACE_SCENE_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The silhouettes of a B-spline surface in a parallel view.
+//
+//   silhouette [SURFACE] [--output FILE.svg]
+//
+// SURFACE is a file of GoTools (.g2) or IRIT (.itd), its first surface counts; without it, a vase is taken. The silhouettes are drawn in red, thin where the surface hides them.
+// Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+#include "surface_scene.h"
+
+#include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
+#include <CGAL/Spline_constraints_d/IO/read_g2.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/silhouettes.h>
+
+#include <fstream>
+#include <iostream>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Surface = SC::Bspline_surface_3<K>;
+
+Surface read_surface(const std::string& path)
+{
+  const auto file = path.ends_with(".g2") ? SC::IO::read_g2<K>(path) : SC::IO::read_IRIT<K>(path);
+  if (file.surfaces_3.empty())
+    throw SC::Invalid_input(path + ": no surface");
+  return file.surfaces_3.front().object;
+}
+
+Surface vase()
+{
+  const std::vector<K::Point_3> profile{{1, 0, 0}, {1.75, 0, 0.25}, {2.5, 0, 1.5}, {1.75, 0, 3}, {0.25, 0, 3.25}, {0.5, 0, 4.5}, {1.75, 0, 4.75}};
+  return SC::surface_of_revolution(SC::Bspline_curve_3<K>(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, profile), K::Point_3(0, 0, 0), K::Vector_3(0, 0, 1));
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::string output = "silhouette.svg";
+    if (words.size() >= 2 && words[words.size() - 2] == "--output") {
+      output = words.back();
+      words.resize(words.size() - 2);
+    }
+    if (words.size() > 1)
+      throw SC::Invalid_input("usage: silhouette [SURFACE] [--output FILE.svg]");
+    const Surface surface = words.empty() ? vase() : read_surface(words[0]);
+    const auto set = SC::silhouettes(surface, Scene::direction());
+
+    Scene scene;
+    scene.add(surface, {190, 210, 235});
+    for (const SC::Surface_curve& curve : set.curves()) {
+      std::vector<K::Point_3> points;
+      for (const auto& sample : set.polyline(curve, 1e-3))
+        points.push_back(sample.point);
+      scene.add(points, "#c00020", 3, true);
+      std::cout << (curve.is_closed ? "closed, " : "open, ") << points.size() << " points from (" << points.front() << ")\n";
+    }
+    std::ofstream out(output);
+    scene.write(out);
+    std::cout << set << '\n';
+    return set.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

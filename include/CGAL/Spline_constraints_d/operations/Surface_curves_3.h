@@ -1,0 +1,248 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_3_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/Surface_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// What makes curves go on where the domain of a system ends: unknowns whose two ends are a seam, and faces that are one point in space.
+struct Domain_joints
+{
+  std::vector<std::size_t> closed_unknowns;
+  std::vector<Seam_joints::Face> poles;
+};
+
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A point of a polyline along a curve on a surface.
+*/
+template <SplineKernel Kernel>
+struct Surface_curve_sample
+{
+  //! the point.
+  typename Kernel::Point_3 point;
+
+  //! its parameters on the surface, then further unknowns of the operation, if it has some.
+  std::vector<double> parameters;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+Curves on a surface: its silhouettes, for example. They are the solutions of equations whose first two unknowns are the parameters of the surface, with a proved topology.
+
+The domain is cut into parts where an equation jumps: along creases of the surface, as a rule. A curve ends where one of the parameters is at the end of a part, and in singular points. It goes on across the seam of a
+surface that is smooth there, and through a pole, an edge that is one point, if no other curves end in it.
+
+\tparam Kernel a `SplineKernel`.
+*/
+template <SplineKernel Kernel>
+class Surface_curves_3
+{
+public:
+  //! a curve.
+  using Curve = Surface_curve;
+  //! the points of the kernel.
+  using Point = typename Kernel::Point_3;
+  //! a point of a polyline.
+  using Sample = Surface_curve_sample<Kernel>;
+
+private:
+  using Coordinates = std::array<double, 3>;
+  using Point_of_unknowns = std::function<Coordinates(const std::vector<double>&)>;
+
+  struct Part
+  {
+    Constraint_system_d system;
+    Curve_solution_set_d solutions;
+  };
+
+  Point_of_unknowns m_point;
+  std::vector<Part> m_parts;
+  std::vector<Curve> m_curves;
+  std::vector<Curve_vertex> m_points, m_singular_points;
+  std::vector<Undecided_region> m_undecided;
+  Summary m_summary;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  explicit Surface_curves_3(Point_of_unknowns point) : m_point(std::move(point)) {}
+
+  // The curves of a part, and lines where a factor vanishes that the system does not have.
+  void add(Constraint_system_d system, Curve_solution_set_d solutions, const internal::Domain_joints& joints_of_domain, const std::vector<Surface_curve>& lines = {})
+  {
+    const std::size_t index = m_parts.size();
+    m_parts.push_back({std::move(system), std::move(solutions)});
+    const Curve_solution_set_d& set = m_parts.back().solutions;
+    const internal::Seam_joints joints(m_parts.back().system, set, joints_of_domain.closed_unknowns, joints_of_domain.poles);
+    for (Intersection_curve& curve : joints.curves())
+      m_curves.push_back({index, std::move(curve.arcs), curve.is_closed});
+    for (const std::size_t i : joints.points())
+      m_points.push_back(set.vertices()[i]);
+    for (const std::size_t i : set.singular_points())
+      m_singular_points.push_back(set.vertices()[i]);
+    m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
+    m_summary.nodes += set.summary().nodes;
+    m_summary.seconds += set.summary().seconds;
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && joints.is_complete();
+    for (auto line = lines.begin(); line != lines.end(); ++line) {
+      m_curves.push_back(*line);
+      m_curves.back().part = index;
+      add_solutions_on(*line->line, set, joints);
+      for (auto other = lines.begin(); other != line; ++other)
+        if (other->line->axis != line->line->axis)
+          add_crossing(*other->line, *line->line);
+    }
+  }
+
+  // A part where nothing but solutions is found.
+  void add_undecided(const Curve_vertex::Exact_box& box)
+  {
+    m_undecided.push_back({{box}, {}, Undecided_reason::CONTINUUM});
+    m_summary.is_complete = false;
+  }
+#endif
+
+  //! the curves, one part of the domain after the other.
+  const std::vector<Curve>& curves() const { return m_curves; }
+
+  //! number of closed curves.
+  std::size_t number_of_closed_curves() const
+  {
+    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Curve& curve) { return curve.is_closed; }));
+  }
+
+  //! number of curves that are not closed.
+  std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
+
+  //! where curves cross, and isolated solutions, in the domain of the unknowns. Where a curve with a `Surface_curve::line` meets others, none of them ends.
+  const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
+
+  //! solutions on the edge of a part without others near them.
+  const std::vector<Curve_vertex>& points() const { return m_points; }
+
+  //! where nothing is proved, in the domain of the unknowns.
+  const std::vector<Undecided_region>& undecided() const { return m_undecided; }
+
+  //! whether these are all solutions, by proof.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the work.
+  const Summary& summary() const { return m_summary; }
+
+  //! the curves of a part in the domain of its unknowns, as the solver found them.
+  const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
+
+  //! the point where the unknowns have these values; values outside of the domain are moved to its boundary.
+  Point point(const std::vector<double>& unknowns) const { return internal::kernel_object<Kernel, Point>(m_point(unknowns)); }
+
+  /*!
+  points along a curve, so many that it passes the middles of their chords at no more than a given distance; a point on a seam comes twice, with the parameters on both sides, and so does a pole. A closed curve begins and
+  ends in the same point.
+  \param curve one of the curves.
+  \param error the distance in space; positive.
+  \throws Invalid_input when the distance is not positive.
+  */
+  std::vector<Sample> polyline(const Curve& curve, double error) const
+  {
+    if (!(error > 0))
+      throw Invalid_input("Surface_curves_3: the error must be positive");
+    const Part& part = m_parts[curve.part];
+    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(m_point(from), m_point(between), m_point(to)) <= error; };
+    std::vector<std::vector<double>> unknowns;
+    if (curve.line)
+      append_line(unknowns, part.system, *curve.line, is_chord);
+    for (const Intersection_arc& arc : curve.arcs) {
+      std::vector<std::vector<double>> more = internal::curve_points(part.system, part.solutions, part.solutions.curves()[arc.index], is_chord);
+      if (arc.is_reversed)
+        std::reverse(more.begin(), more.end());
+      unknowns.insert(unknowns.end(), more.begin(), more.end());
+    }
+    std::vector<Sample> result;
+    for (std::vector<double>& values : unknowns)
+      result.push_back({point(values), std::move(values)});
+    if (curve.is_closed)
+      result.back().point = result.front().point;
+    return result;
+  }
+
+private:
+  // Each point once, though a seam has two sides.
+  void add_solutions_on(const Constant_parameter& line, const Curve_solution_set_d& set, const internal::Seam_joints& joints)
+  {
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < set.vertices().size(); ++i) {
+      const Curve_vertex& vertex = set.vertices()[i];
+      const auto& [lower, upper] = vertex.box[static_cast<std::size_t>(line.axis)];
+      if (lower != line.value || upper != line.value || std::find(known.begin(), known.end(), joints.representative(i)) != known.end())
+        continue;
+      known.push_back(joints.representative(i));
+      m_singular_points.push_back(vertex);
+    }
+  }
+
+  void add_crossing(const Constant_parameter& a, const Constant_parameter& b)
+  {
+    Curve_vertex vertex{Curve_vertex::Exact_box(2), true, true, false};
+    for (const Constant_parameter& line : {a, b})
+      vertex.box[static_cast<std::size_t>(line.axis)] = {line.value, line.value};
+    m_singular_points.push_back(std::move(vertex));
+  }
+
+  template <class Is_chord>
+  static void append_line(std::vector<std::vector<double>>& points, const Constraint_system_d& system, const Constant_parameter& line, const Is_chord& is_chord)
+  {
+    constexpr int pieces = 16;
+    const auto& [begin, end] = system.domain(1 - line.axis);
+    const auto at = [&, first = CGAL::to_double(begin), last = CGAL::to_double(end)](double share) {
+      std::vector<double> result(2, CGAL::to_double(line.value));
+      result[static_cast<std::size_t>(1 - line.axis)] = first + share * (last - first);
+      return result;
+    };
+    points.push_back(at(0));
+    for (int i = 0; i < pieces; ++i)
+      append_chords(points, at, i / double(pieces), (i + 1) / double(pieces), is_chord);
+  }
+
+  template <class At, class Is_chord>
+  static void append_chords(std::vector<std::vector<double>>& points, const At& at, double begin, double end, const Is_chord& is_chord)
+  {
+    const double middle = (begin + end) / 2;
+    if (!(begin < middle && middle < end) || is_chord(at(begin), at(middle), at(end)))
+      points.push_back(at(end));
+    else {
+      append_chords(points, at, begin, middle, is_chord);
+      append_chords(points, at, middle, end, is_chord);
+    }
+  }
+};
+
+//! \ingroup PkgSplineConstraintsDOperations
+//! writes one line: the numbers of curves, singular points and undecided regions.
+template <SplineKernel Kernel>
+std::ostream& operator<<(std::ostream& out, const Surface_curves_3<Kernel>& curves) { return internal::write_counts(out, curves); }
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_3_H

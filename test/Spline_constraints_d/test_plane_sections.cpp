@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Plane sections and contour lines: levels of a torus and a sphere, among them those along breaks and poles, height fields beside `intersection_curves()`.
+
+#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/plane_sections.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using Rational = SC::Exact_rational;
+using K = CGAL::Simple_cartesian<Rational>;
+using Point = K::Point_3;
+using Vector = K::Vector_3;
+using Surface = SC::Bspline_surface_3<K>;
+
+namespace {
+
+const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1);
+
+void expect_sections(const Surface& surface, const Vector& direction, const std::vector<Rational>& levels, const std::vector<std::pair<std::size_t, std::size_t>>& closed_and_open)
+{
+  const auto sections = SC::plane_sections(surface, direction, levels);
+  ASSERT_EQ(sections.size(), levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    EXPECT_TRUE(sections[i].is_complete()) << i;
+    EXPECT_EQ(sections[i].number_of_closed_curves(), closed_and_open[i].first) << i;
+    EXPECT_EQ(sections[i].number_of_open_curves(), closed_and_open[i].second) << i;
+    for (const SC::Surface_curve& curve : sections[i].curves())
+      for (const auto& sample : sections[i].polyline(curve, 1e-2))
+        EXPECT_NEAR(CGAL::to_double(direction * (sample.point - CGAL::ORIGIN)), CGAL::to_double(levels[i]), 1e-9) << i;
+  }
+}
+
+} // namespace
+
+TEST(Plane_sections, torus)
+{
+  expect_sections(torus, Vector(0, 0, 1), {2, 1, Rational(3, 5), 0, -1}, {{0, 0}, {1, 0}, {2, 0}, {2, 0}, {1, 0}});
+  expect_sections(torus, Vector(1, 0, 0), {0, 1, 3, Rational(7, 2), 5}, {{2, 0}, {2, 0}, {1, 0}, {1, 0}, {0, 0}});
+  // A plane that touches it at the inner equator, which is a break: a figure of eight, whose crossing is proved or reported.
+  const auto touching = SC::plane_sections(torus, Vector(3, 4, 0), {Rational(10)});
+  EXPECT_FALSE(touching[0].curves().empty());
+  EXPECT_EQ(touching[0].singular_points().size() + touching[0].undecided().size(), 1u);
+  EXPECT_EQ(touching[0].is_complete(), touching[0].undecided().empty());
+}
+
+TEST(Plane_sections, sphere)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), 3);
+  expect_sections(sphere, Vector(1, 2, 2), {0, 5, 10}, {{1, 0}, {1, 0}, {0, 0}});
+  expect_sections(sphere, Vector(0, 0, 1), {0, 1}, {{1, 0}, {1, 0}});
+  expect_sections(sphere, Vector(0, 1, 0), {0, 1}, {{0, 2}, {1, 0}});   // two meridians from pole to pole
+  expect_sections(sphere, Vector(1, 3, 0), {0}, {{1, 0}});              // through both poles
+}
+
+TEST(Plane_sections, as_intersection_curves)
+{
+  std::mt19937 generator(3);
+  std::uniform_int_distribution<int> height(-100, 100);
+  std::size_t curves = 0;
+  for (int round = 0; round < 6; ++round) {
+    std::vector<Point> points;
+    for (int i = 0; i < 16; ++i)
+      points.emplace_back(i / 4, i % 4, height(generator));
+    const Surface surface({3, 3}, {0, 0, 0, 0, 1, 1, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}, points);
+    const std::vector<Rational> levels{-30, 0, Rational(41, 3)};
+    const auto sections = SC::plane_sections(surface, Vector(1, 0, 1), levels);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      const auto other = SC::intersection_curves(surface, K::Plane_3(1, 0, 1, -levels[i]));
+      EXPECT_TRUE(sections[i].is_complete() && other.is_complete());
+      EXPECT_EQ(sections[i].number_of_closed_curves(), other.number_of_closed_curves());
+      EXPECT_EQ(sections[i].number_of_open_curves(), other.number_of_open_curves());
+      curves += sections[i].curves().size();
+    }
+  }
+  EXPECT_GT(curves, 18u);
+}
+
+TEST(Plane_sections, bad_input)
+{
+  EXPECT_THROW(SC::plane_sections(torus, Vector(0, 0, 0), {Rational(1)}), SC::Invalid_input);
+  EXPECT_THROW(SC::plane_sections(torus, Vector(0, 0, 1), {Rational(1)}, {.tolerance = -1}), SC::Invalid_input);
+  EXPECT_TRUE(SC::plane_sections(torus, Vector(0, 0, 1), {}).empty());
+}
