@@ -28,25 +28,23 @@ namespace internal {
 
 using Double_pair = std::array<double, 2>;
 
-// A point and the derivative of a curve.
-struct Curve_jet
-{
-  Double_pair point, tangent;
-};
-
 inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * b[1] - a[1] * b[0]; }
 inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Double_pair rounded(const Exact_pair& p) { return {to_nearest_double(p[0]), to_nearest_double(p[1])}; }
 
-inline Curve_jet jet_at(const Differentiated_map& curve, double parameter)
+// Points of two curves with the derivatives there. Their difference is rounded once, since the points may be next to each other.
+struct Pair_of_points
 {
-  const Exact_rational t = (std::max)(curve.begin(), (std::min)(Exact_rational(parameter), curve.end()));
-  Curve_jet result;
-  const Exact_pair point = curve.at(0, t), tangent = curve.at(1, t);
-  for (std::size_t i = 0; i < 2; ++i) {
-    result.point[i] = to_nearest_double(point[i]);
-    result.tangent[i] = to_nearest_double(tangent[i]);
-  }
-  return result;
+  std::array<Double_pair, 2> points, tangents;
+  Double_pair chord;   // from the second point to the first one
+};
+
+inline Pair_of_points pair_of_points(const Differentiated_map& first, const Differentiated_map& second, const Double_pair& parameters)
+{
+  const auto place = [](const Differentiated_map& curve, double t) { return (std::max)(curve.begin(), (std::min)(Exact_rational(t), curve.end())); };
+  const Exact_rational u = place(first, parameters[0]), v = place(second, parameters[1]);
+  const Exact_pair p = first.at(0, u), q = second.at(0, v);
+  return {{rounded(p), rounded(q)}, {rounded(first.at(1, u)), rounded(second.at(1, v))}, rounded({Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])})};
 }
 
 // A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to each other there, and to the north pole, which is infinity.
@@ -100,8 +98,8 @@ public:
   };
 
 private:
-  // A point of the plane that belongs to two points, with the derivatives there.
-  using Point_of_pair = std::function<internal::Double_pair(const internal::Curve_jet&, const internal::Curve_jet&)>;
+  // The point of the plane that belongs to two points.
+  using Point_of_pair = std::function<internal::Double_pair(const internal::Pair_of_points&)>;
 
   // The curves of two smooth parts.
   struct Part
@@ -145,10 +143,12 @@ public:
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
     for (const Curve_vertex::Exact_box& box : rest)
       m_undecided.push_back({{box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+    for (const std::size_t i : joints.unmatched())
+      m_undecided.push_back({{set.vertices()[i].box}, {i}, Undecided_reason::DOMAIN_BOUNDARY});
     m_poles += poles.size() + multiple - rest.size();
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
-    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.is_complete();
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.unmatched().empty();
   }
 
   void add_work(const Summary& work)
@@ -163,10 +163,7 @@ public:
   const std::vector<Curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
-  std::size_t number_of_closed_curves() const
-  {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Curve& curve) { return curve.is_closed; }));
-  }
+  std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
@@ -174,7 +171,7 @@ public:
   //! where curves cross in the plane of the parameters, or isolated solutions.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
 
-  //! where nothing is proved.
+  //! where nothing is proved, poles that do not find their place on a curve, and ends on a seam that were not matched with one on the other side.
   const std::vector<Undecided_region>& undecided() const { return m_undecided; }
 
   //! how often a curve goes to infinity and comes back from the other side: two ends each.
@@ -211,31 +208,31 @@ public:
     if (!(error > 0) || !(radius > 0))
       throw Invalid_input("Curve_pair_locus_2: the error and the radius must be positive");
     const Part& part = m_parts[curve.part];
-    const auto seen = [&](const std::vector<double>& parameters) { return internal::on_sphere(point(part, parameters), radius); };
-    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(seen(from), seen(between), seen(to)) <= error; };
-    std::vector<std::vector<double>> points;
+    struct Image
+    {
+      internal::Double_pair point;
+      std::array<double, 3> on_sphere;
+    };
+    const auto image = [&](const std::vector<double>& parameters) {
+      const internal::Double_pair p = m_point(internal::pair_of_points(part.first, part.second, {parameters[0], parameters[1]}));
+      return Image{p, internal::on_sphere(p, radius)};
+    };
+    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error; };
+    std::vector<internal::Curve_sample<Image>> samples;
     for (const Intersection_arc& arc : curve.arcs) {
-      std::vector<std::vector<double>> more = internal::curve_points(part.system, part.solutions, part.solutions.curves()[arc.index], is_chord);
+      auto more = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
       if (arc.is_reversed)
         std::reverse(more.begin(), more.end());
-      points.insert(points.end(), more.begin(), more.end());
+      samples.insert(samples.end(), more.begin(), more.end());
     }
     if (ends_at_infinity(curve, 0))
-      points.erase(points.begin());
+      samples.erase(samples.begin());
     if (ends_at_infinity(curve, 1))
-      points.pop_back();
+      samples.pop_back();
     std::vector<Sample> result;
-    for (const std::vector<double>& parameters : points) {
-      const auto [x, y] = point(part, parameters);
-      result.push_back({typename Kernel::Point_2(x, y), {parameters[0], parameters[1]}});
-    }
+    for (const auto& [unknowns, place] : samples)
+      result.push_back({typename Kernel::Point_2(place.point[0], place.point[1]), {unknowns[0], unknowns[1]}});
     return result;
-  }
-
-private:
-  internal::Double_pair point(const Part& part, const std::vector<double>& parameters) const
-  {
-    return m_point(internal::jet_at(part.first, parameters[0]), internal::jet_at(part.second, parameters[1]));
   }
 };
 

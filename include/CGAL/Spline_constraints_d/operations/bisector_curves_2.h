@@ -18,12 +18,13 @@ namespace internal {
 The center of the circle that touches two curves in given points: on the perpendicular bisector of these, and on both normals. The normal of the first curve meets the perpendicular bisector in
 (a + b) / 2 + h d', with d = a - b turned by 90 degrees and h = -<a',d> / (2 a' x d); that of the second one likewise. The better one is taken.
 */
-inline Double_pair center_of_tangent_circle(const Curve_jet& first, const Curve_jet& second)
+inline Double_pair center_of_tangent_circle(const Pair_of_points& pair)
 {
-  const Double_pair d{first.point[0] - second.point[0], first.point[1] - second.point[1]};
-  const double s = cross(first.tangent, d) / std::hypot(first.tangent[0], first.tangent[1]), t = cross(second.tangent, d) / std::hypot(second.tangent[0], second.tangent[1]);
-  const double h = !(std::abs(s) < std::abs(t)) ? -0.5 * dot(first.tangent, d) / cross(first.tangent, d) : 0.5 * dot(second.tangent, d) / cross(second.tangent, d);
-  const double x = 0.5 * (first.point[0] + second.point[0]), y = 0.5 * (first.point[1] + second.point[1]);
+  const auto& [first, second] = pair.tangents;
+  const Double_pair& d = pair.chord;
+  const double s = cross(first, d) / std::hypot(first[0], first[1]), t = cross(second, d) / std::hypot(second[0], second[1]);
+  const double h = !(std::abs(s) < std::abs(t)) ? -0.5 * dot(first, d) / cross(first, d) : 0.5 * dot(second, d) / cross(second, d);
+  const double x = 0.5 * (pair.points[0][0] + pair.points[1][0]), y = 0.5 * (pair.points[0][1] + pair.points[1][1]);
   return d == Double_pair{0, 0} ? Double_pair{x, y} : Double_pair{x - h * d[1], y + h * d[0]};
 }
 

@@ -43,8 +43,9 @@ template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& c2, Tangent_directions directions = Tangent_directions::SAME, const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
-  Curve_pair_locus_2<typename C1::Kernel> result([](const Curve_jet& first, const Curve_jet& second) {
-    return Double_pair{first.point[0] + second.point[0], first.point[1] + second.point[1]};
+  Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair) {
+    const auto& [first, second] = pair.points;
+    return Double_pair{first[0] + second[0], first[1] + second[1]};
   });
   const std::vector<Smooth_part> second_parts = smooth_parts(Planar_map(c2));
   for (const Smooth_part& first : smooth_parts(Planar_map(c1)))
