@@ -5,10 +5,10 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
@@ -26,27 +26,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Double_pair = std::array<double, 2>;
-
-inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline Double_pair rounded(const Exact_pair& p) { return {to_nearest_double(p[0]), to_nearest_double(p[1])}; }
-
-// Points of two curves with the derivatives there. Their difference is rounded once, since the points may be next to each other.
-struct Pair_of_points
-{
-  std::array<Double_pair, 2> points, tangents;
-  Double_pair chord;   // from the second point to the first one
-};
-
-inline Pair_of_points pair_of_points(const Differentiated_map& first, const Differentiated_map& second, const Double_pair& parameters)
-{
-  const auto place = [](const Differentiated_map& curve, double t) { return (std::max)(curve.begin(), (std::min)(Exact_rational(t), curve.end())); };
-  const Exact_rational u = place(first, parameters[0]), v = place(second, parameters[1]);
-  const Exact_pair p = first.at(0, u), q = second.at(0, v);
-  return {{rounded(p), rounded(q)}, {rounded(first.at(1, u)), rounded(second.at(1, v))}, rounded({Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])})};
-}
-
 // A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to each other there, and to the north pole, which is infinity.
 inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 {
@@ -54,6 +33,25 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
   if (!(share > 0))
     return {0, 0, 2 * radius};
   return {2 * radius * x * share, 2 * radius * y * share, 2 * radius * (1 - share)};
+}
+
+inline bool is_zero(const Spline_function& function)
+{
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
+  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
+}
+
+// The curves of solutions of a system; everything is undecided where an equation is always satisfied.
+inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
+{
+  if (std::none_of(system.equalities().begin(), system.equalities().end(), is_zero))
+    return solve_curves(system, options);
+  Curve_vertex::Exact_box domain;
+  for (int j = 0; j < system.dimension(); ++j)
+    domain.push_back(system.domain(j));
+  Summary summary;
+  summary.is_complete = false;
+  return Curve_solution_set_d({}, {}, {}, {}, {{{domain}, {}, Undecided_reason::CONTINUUM}}, summary);
 }
 
 } // namespace internal
@@ -76,9 +74,9 @@ struct Curve_pair_sample
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-Curves in the plane whose points belong to one point on each of two curves: their bisector, for example. They are the solutions of an equation in both parameters, with a proved topology.
+Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for example. They are solutions of equations in both parameters, with a proved topology.
 
-A curve of the result ends where one of the parameters is at the end of a smooth part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
+A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -92,19 +90,19 @@ public:
   //! one of the curves.
   struct Curve
   {
-    std::size_t part;                     ///< the index of the two smooth parts, all with the first part of the first curve before others
+    std::size_t part;                     ///< the index of the two parts, all with the first part of the first curve before others
     std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in `solutions(part)`
     bool is_closed;                       ///< whether the last arc ends where the first one begins
   };
 
 private:
-  // The point of the plane that belongs to two points.
-  using Point_of_pair = std::function<internal::Double_pair(const internal::Pair_of_points&)>;
+  // The point of the plane that belongs to two points, and to the unknowns of a solution.
+  using Point_of_pair = std::function<internal::Double_pair(const internal::Pair_of_points&, const std::vector<double>&)>;
 
-  // The curves of two smooth parts.
+  // The curves of two parts.
   struct Part
   {
-    internal::Differentiated_map first, second;
+    internal::Pair_of_parts parts;
     Constraint_system_d system;
     Curve_solution_set_d solutions;
   };
@@ -121,21 +119,17 @@ public:
 #ifndef DOXYGEN_RUNNING
   explicit Curve_pair_locus_2(Point_of_pair point) : m_point(std::move(point)) {}
 
-  // The solutions for two smooth parts, and those where the point is at infinity. On both ends of a closed part, the equation has the same solutions.
-  void add(const internal::Differentiated_map& first, const internal::Differentiated_map& second, const Constraint_system_d& system, const Curve_solution_set_d& solutions,
-           const std::vector<Solution_d<double>>& points_at_infinity)
+  // The solutions of an equation for two parts, cut where the point is at infinity.
+  void add(const internal::Pair_of_parts& parts, const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns, const Solver_options& options, const std::vector<Solution_d<double>>& points_at_infinity = {})
   {
     std::vector<Curve_vertex::Exact_box> poles, rest;
     for (const Solution_d<double>& point : points_at_infinity)
       (point.is_certified() ? poles : rest).push_back(point.exact_box());
     const std::size_t multiple = rest.size();
-    m_parts.push_back({first, second, system, internal::Curve_cuts(solutions)(poles, rest)});
+    const Constraint_system_d system = internal::system_of(constraints, unknowns);
+    m_parts.push_back({parts, system, internal::Curve_cuts(internal::curves_or_continuum(system, options))(poles, rest)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
-    std::vector<std::size_t> closed_unknowns;
-    for (const std::size_t k : {0, 1})
-      if (const internal::Differentiated_map& curve = k == 0 ? first : second; curve.map().is_closed() && internal::have_common_tangent(curve, curve))
-        closed_unknowns.push_back(k);
-    const internal::Seam_joints joints(system, set, closed_unknowns);
+    const internal::Seam_joints joints(system, set, parts.closed_unknowns);
     for (Intersection_curve& curve : joints.curves())
       m_curves.push_back({m_parts.size() - 1, std::move(curve.arcs), curve.is_closed});
     for (const std::size_t i : set.singular_points())
@@ -159,7 +153,7 @@ public:
   }
 #endif
 
-  //! the curves, one after the other by smooth parts.
+  //! the curves, one after the other by parts.
   const std::vector<Curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
@@ -183,7 +177,7 @@ public:
   //! the work.
   const Summary& summary() const { return m_summary; }
 
-  //! the curves of two smooth parts in the plane of their parameters, as the solver found them, but cut at infinity.
+  //! the curves of two parts in the plane of the unknowns, which are their parameters unless an operation says otherwise, as the solver found them, but cut at infinity.
   const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
@@ -213,13 +207,13 @@ public:
       internal::Double_pair point;
       std::array<double, 3> on_sphere;
     };
-    const auto image = [&](const std::vector<double>& parameters) {
-      const internal::Double_pair p = m_point(internal::pair_of_points(part.first, part.second, {parameters[0], parameters[1]}));
-      return Image{p, internal::on_sphere(p, radius)};
-    };
     const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error; };
     std::vector<internal::Curve_sample<Image>> samples;
     for (const Intersection_arc& arc : curve.arcs) {
+      const auto image = [&](const std::vector<double>& unknowns) {
+        const internal::Double_pair p = m_point(part.parts.points(unknowns), unknowns);
+        return Image{p, internal::on_sphere(p, radius)};
+      };
       auto more = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
       if (arc.is_reversed)
         std::reverse(more.begin(), more.end());
@@ -231,7 +225,7 @@ public:
       samples.pop_back();
     std::vector<Sample> result;
     for (const auto& [unknowns, place] : samples)
-      result.push_back({typename Kernel::Point_2(place.point[0], place.point[1]), {unknowns[0], unknowns[1]}});
+      result.push_back({typename Kernel::Point_2(place.point[0], place.point[1]), part.parts.parameters(unknowns)});
     return result;
   }
 };

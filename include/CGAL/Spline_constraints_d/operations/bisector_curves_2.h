@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_BISECTOR_CURVES_2_H
 
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 
 #include <cmath>
@@ -55,18 +56,13 @@ template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> bisector_curves(const C1& c1, const C2& c2, const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
-  Curve_pair_locus_2<typename C1::Kernel> result(center_of_tangent_circle);
+  Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_circle(pair); });
   Summing_solver solve(options);
-  const std::vector<Smooth_part> second_parts = smooth_parts(Planar_map(c2));
-  for (const Smooth_part& first : smooth_parts(Planar_map(c1)))
-    for (const Smooth_part& second : second_parts) {
-      const auto [u, v] = parameters(first.curve.map(), second.curve.map());
-      const Vector_expression<2> d = first.curve(0, u) - second.curve(0, v), a = first.curve(1, u), b = second.curve(1, v);
-      const std::vector<Constraint> equation{dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d) == 0};
-      const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});
-      const Constraint_system_d system = make_system(equation);
-      result.add(first.curve, second.curve, system, solve_curves(system, options), {at_infinity.begin(), at_infinity.end()});
-    }
+  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
+    const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u), b = parts.second(1, v);
+    const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});
+    result.add(parts, {dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d) == 0}, {u, v}, options, {at_infinity.begin(), at_infinity.end()});
+  });
   result.add_work(solve.total());
   return result;
 }
