@@ -11,6 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -18,10 +19,13 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 
+// To 1/1024: short enough for a drawing.
+K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
+
 int main()
 {
   try {
-    const auto a = SC::bezier_curve(std::vector<K::Point_2>{{-4, 3}, {-1, 1}, {1, 5}, {4, 2}}), b = SC::bezier_curve(std::vector<K::Point_2>{{-4, -3}, {-1, -1}, {1, -5}, {4, -2}});
+    const auto a = SC::bezier_curve(std::vector<K::Point_2>{{-4, 3}, {-1, 1}, {1, 5}, {4, 2}}), b = SC::bezier_curve(std::vector<K::Point_2>{{-4, -2}, {-1, -4}, {2, -1}, {4, -3}});
     std::ofstream file("alpha_sectors.svg");
     SC::SVG_writer picture(file, CGAL::Bbox_2(-5, -4.5, 5, 4.5), 700);
     const char* const colours[] = {"#08306b", "#2171b5", "#6baed6", "#333333", "#fc9272", "#de2d26", "#67000d"};
@@ -30,8 +34,8 @@ int main()
       const auto sectors = SC::alpha_sectors(a, b, k / 8.0);
       for (const auto& curve : sectors.curves()) {
         std::vector<K::Point_2> points;
-        for (const auto& sample : sectors.polyline(curve, 1e-3, 10))
-          points.push_back(sample.point);
+        for (const auto& sample : sectors.polyline(curve, 5e-3, 10))
+          points.push_back(rounded(sample.point));
         picture.curve(SC::polyline_curve(points), colours[k - 1], 2);
       }
       std::cout << "alpha = " << k << "/8  " << sectors << '\n';

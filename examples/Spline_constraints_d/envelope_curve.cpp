@@ -11,6 +11,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -19,6 +20,9 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 using Curve = SC::Bspline_curve_2<K>;
+
+// To 1/1024: short enough for a drawing.
+K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 // A smooth closed cubic spline.
 Curve closed_curve(const std::vector<K::Point_2>& points)
@@ -34,7 +38,7 @@ void draw(SC::SVG_writer& picture, const SC::Curve_pair_locus_2<K>& envelope, co
   for (const auto& curve : envelope.curves()) {
     std::vector<K::Point_2> points;
     for (const auto& sample : envelope.polyline(curve, 5e-3, 100))
-      points.push_back(sample.point);
+      points.push_back(rounded(sample.point));
     picture.curve(SC::polyline_curve(points), color, width);
   }
 }
@@ -43,13 +47,13 @@ int main()
 {
   try {
     const Curve a = closed_curve({{7, 0}, {4, 7}, {0, 2}, {-5, 6}, {-6, -2}, {-2, -6}, {1, -2}, {5, -6}});
-    const Curve b = closed_curve({{2, 0}, {0, 1.5}, {-1.5, 0.5}, {-1.5, -1.5}, {1, -1.5}});
+    const Curve b = closed_curve({{3, 0}, {0, 2}, {-2, 1}, {-2, -2}, {1, -2}});
     const auto any = SC::envelope_curves(a, b, SC::Tangent_directions::ANY), same = SC::envelope_curves(a, b);
 
     const CGAL::Bbox_2 box = a.bbox(), step = b.bbox();
     std::ofstream file("envelope_curve.svg");
     SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() + step.xmin(), box.ymin() + step.ymin(), box.xmax() + step.xmax(), box.ymax() + step.ymax()), 700);
-    for (double t = 0; t < a.domain().second; t += 0.125)
+    for (double t = 0; t < a.domain().second; t += 0.25)
       picture.curve(b.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, a(t) - CGAL::ORIGIN)), "#ddd", 1);
     draw(picture, any, "#1f77b4", 1.5);
     draw(picture, same, "#d62728", 3);

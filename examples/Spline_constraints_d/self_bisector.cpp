@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -17,6 +18,9 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 using Curve = SC::Bspline_curve_2<K>;
+
+// To 1/1024: short enough for a drawing.
+K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 int main()
 {
@@ -33,8 +37,8 @@ int main()
       const auto samples = bisector.polyline(part, 5e-3, 20);
       for (const auto& sample : samples) {
         if (points.size() % 10 == 5)   // the radii of some circles
-          picture.curve(SC::polyline_curve(std::vector<K::Point_2>{curve(sample.parameters[0]), sample.point, curve(sample.parameters[1])}), "#bbb", 1);
-        points.push_back(sample.point);
+          picture.curve(SC::polyline_curve(std::vector<K::Point_2>{rounded(curve(sample.parameters[0])), rounded(sample.point), rounded(curve(sample.parameters[1]))}), "#bbb", 1);
+        points.push_back(rounded(sample.point));
       }
       for (const auto* sample : {&samples.front(), &samples.back()})
         if (sample->parameters[0] == sample->parameters[1])

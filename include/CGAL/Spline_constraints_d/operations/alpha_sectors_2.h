@@ -48,7 +48,7 @@ For \f$\alpha = 1/2\f$ it has the factor \f$C_1' \times C_2'\f$, and `bisector_c
 \f[ (1-\alpha)\, q\, \langle d, C_2'\rangle = \alpha\, \langle d, C_1'\rangle, \quad q^2\, |C_2'|^2 = |C_1'|^2, \f]
 they have different signs of \f$q\f$, and no solution is singular there. These are the unknowns of `Curve_pair_locus_2::solutions()`. At a common normal, the point of one branch lies between the two feet and that of the other one beyond one of them.
 
-The curves are taken apart as by `bisector_curves()`. They go on across the seam of a closed curve if the derivative is the same on both sides. Curves that have common normals everywhere, such as parallel lines and concentric arcs, have curves of solutions with this one common parameter.
+The curves are taken apart as by `bisector_curves()`. They go on across the seam of a closed curve if the derivative is the same on both sides. Parallel lines and concentric arcs, with common normals everywhere, are nothing special.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.

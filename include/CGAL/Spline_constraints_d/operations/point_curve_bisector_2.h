@@ -52,7 +52,7 @@ namespace internal {
 /*
 The bisector of a point Q and the curve X / w, in terms of E = X - w Q:
 
-  P = Q + E / (2 w) - E^ (w <E,E'> - w' |E|^2) / (2 w^2 (E x E')),
+  P = Q + E / (2 w) + E^ (w <E,E'> - w' |E|^2) / (2 w^2 (E x E')),
 
 with E^ = E turned by 90 degrees: on the perpendicular bisector of both points, and on the normal of the curve.
 */
@@ -73,21 +73,20 @@ public:
     m_weight = c.is_rational() ? c.weight() : Function({0}, {{begin, end}}, {1});
   }
 
-  // Between two parameters within a polynomial piece, and without a pole.
+  // Those of all splines.
+  std::vector<Exact_rational> breaks() const { return united(united(m_coordinates[0].breaks(0), m_coordinates[1].breaks(0)), m_weight.breaks(0)); }
+
+  // Between two parameters without a break or a pole between them.
   Curve operator()(const Exact_rational& begin, const Exact_rational& end) const
   {
-    const Function w = m_weight.restricted(0, begin, end), w_derivative = derivative(w);
+    const Function w = m_weight.restricted(0, begin, end);
     const auto difference = [&](std::size_t i) { return m_coordinates[i].restricted(0, begin, end) - w * m_point[i]; };
-    const Function x = difference(0), y = difference(1), dx = derivative(x), dy = derivative(y);
-    const Function turn = x * dy - y * dx, slope = w * (x * dx + y * dy) - w_derivative * (x * x + y * y), denominator = w * w * turn * Exact_rational(2);
-    return Curve::from_homogeneous_coordinates({denominator * m_point[0] + w * turn * x + slope * y, denominator * m_point[1] + w * turn * y - slope * x}, denominator);
-  }
-
-private:
-  static Function derivative(const Function& f)
-  {
-    const auto [begin, end] = f.domain(0);
-    return f.degree(0) > 0 ? f.derivative(0) : Function({0}, {{begin, end}}, {0});
+    const Function x = difference(0), y = difference(1), dx = x.derivative(0), dy = y.derivative(0);
+    const Function turn = x * dy - y * dx, denominator = w * w * turn * Exact_rational(2);
+    Function slope = w * (x * dx + y * dy);
+    if (w.degree(0) > 0)
+      slope = slope - w.derivative(0) * (x * x + y * y);
+    return Curve::from_homogeneous_coordinates({denominator * m_point[0] + w * turn * x - slope * y, denominator * m_point[1] + w * turn * y + slope * x}, denominator);
   }
 };
 
@@ -121,7 +120,10 @@ Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& p
   const Point_curve_bisector bisector(q, c);
   Summing_solver solve(options);
   Point_curve_bisector_2 result;
-  for (const Differentiated_map& piece : polynomial_pieces(Planar_map(c), 1)) {
+  const Planar_map curve(c);
+  const std::vector<Exact_rational> breaks = bisector.breaks();
+  for (std::size_t b = 1; b < breaks.size(); ++b) {
+    const Differentiated_map piece(curve.restricted(0, breaks[b - 1], breaks[b]), 1);
     const auto [u] = parameters(piece.map());
     const Constraint equation = determinant(piece(0, u) - Vector_expression<2>(q[0], q[1]), piece(1, u)) == 0;
     const Solution_set_d<double> poles = solve({equation}, {u});

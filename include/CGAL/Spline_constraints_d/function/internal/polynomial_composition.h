@@ -18,6 +18,8 @@ namespace internal {
 // The numerator of a formula whose splines have one piece each, without splines: weights are positive.
 inline Power_polynomial numerator_polynomial(const Expression& formula)
 {
+  if (formula.numerator().is_constant())
+    return formula.numerator();
   const Formula_expansion expansion(*formula.symbols(), formula.numerator());
   return polynomial_of_piece(expansion.scaled_term(), 0);
 }
