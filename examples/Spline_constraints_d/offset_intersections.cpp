@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/locus_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/offset_arcs_2.h>
 #include <CGAL/Spline_constraints_d/operations/offset_features_2.h>
 
 #include <CGAL/Exact_rational.h>
@@ -41,7 +42,7 @@ int main()
   const auto squared_height = square(y - 1.5);
   const SC::Implicit_curve_2 lemniscate(square(x*x + squared_height) == 6 * (x*x - squared_height));
 
-  const auto cusps = SC::cusps(offset);
+  const auto [arcs, cusps] = SC::offset_arcs(offset, 1e-3);
   const auto nodes = SC::self_intersections(offset);
   const auto crossings = SC::intersections(offset, lemniscate);
 
@@ -57,13 +58,13 @@ int main()
     }
     svg.curve(SC::polyline_curve(loop), "#2ca02c", 2);
   }
-  std::vector<K::Point_2> points;
-  for (int i = 0; i <= 300; ++i) {
-    const auto p = offset(K::FT(i) / 300);
-    points.push_back(rounded(p[0], p[1]));
-  }
   svg.curve(curve, "black", 2.5);
-  svg.curve(SC::polyline_curve(points), "#1f77b4", 1.5);
+  for (const SC::Offset_arc_2& arc : arcs) {
+    std::vector<K::Point_2> points;
+    for (const SC::Offset_sample_2& sample : arc.samples)
+      points.push_back(rounded(sample.point[0], sample.point[1]));
+    svg.curve(SC::polyline_curve(points), "#1f77b4", 1.5);
+  }
   svg.label(K::Point_2(K::FT(-39) / 10, 3), "curve");
   svg.label(K::Point_2(K::FT(-6) / 5, 3), "offset", "#1f77b4");
   svg.label(K::Point_2(K::FT(-39) / 10, K::FT(3) / 2), "lemniscate", "#2ca02c");

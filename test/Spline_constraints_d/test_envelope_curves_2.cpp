@@ -3,12 +3,11 @@
 
 // Envelopes of a curve that moves along another one: circles have circles, and every point has parallel tangents in the same direction.
 
+#include "pair_locus_test_tools.h"
+
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -16,38 +15,21 @@
 #include <random>
 #include <vector>
 
-namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<SC::Exact_rational>;
-using Point = K::Point_2;
-using Curve = SC::Bspline_curve_2<K>;
-using Locus = SC::Curve_pair_locus_2<K>;
-
 namespace {
 
-// The tangents at all points, which are sums of points of the curves.
+// All points are sums of points of the curves, which have parallel tangents. The number of points.
 std::size_t check_points(const Locus& locus, const Curve& c1, const Curve& c2, bool has_same_direction)
 {
-  const SC::Spline_map<1, 2> maps[2] = {SC::Spline_map<1, 2>(c1), SC::Spline_map<1, 2>(c2)};
   std::size_t points = 0;
-  for (const Locus::Curve& curve : locus.curves())
-    for (const auto& sample : locus.polyline(curve, 1e-2, 100)) {
-      ++points;
-      double sum[2] = {0, 0}, tangent[2][2];
-      for (const int i : {0, 1}) {
-        const std::array<SC::Exact_rational, 1> t{SC::Exact_rational(sample.parameters[i])};
-        const auto p = maps[i](t), d = derivative(maps[i])(t);
-        const double length = std::hypot(CGAL::to_double(d[0]), CGAL::to_double(d[1]));
-        for (const int k : {0, 1}) {
-          sum[k] += CGAL::to_double(p[k]);
-          tangent[i][k] = CGAL::to_double(d[k]) / length;
-        }
-      }
-      EXPECT_NEAR(CGAL::to_double(sample.point.x()), sum[0], 1e-12);
-      EXPECT_NEAR(CGAL::to_double(sample.point.y()), sum[1], 1e-12);
-      EXPECT_NEAR(tangent[0][0] * tangent[1][1] - tangent[0][1] * tangent[1][0], 0, 1e-11);
-      const double cosine = tangent[0][0] * tangent[1][0] + tangent[0][1] * tangent[1][1];
-      EXPECT_NEAR(has_same_direction ? cosine : std::abs(cosine), 1, 1e-11);
-    }
+  visit_points(locus, c1, c2, [&](const Vector& p, const std::array<Foot, 2>& feet) {
+    ++points;
+    const Vector &a = feet[0].direction, &b = feet[1].direction;
+    for (const int k : {0, 1})
+      EXPECT_NEAR(p[k], feet[0].point[k] + feet[1].point[k], 1e-12);
+    EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], 0, 1e-11);
+    const double cosine = a[0] * b[0] + a[1] * b[1];
+    EXPECT_NEAR(has_same_direction ? cosine : std::abs(cosine), 1, 1e-11);
+  }, 1e-2, 100);
   return points;
 }
 
@@ -92,15 +74,9 @@ TEST(Envelope_curves_2, circles)
 TEST(Envelope_curves_2, random_cubics)
 {
   std::mt19937 random(5);
-  std::uniform_int_distribution<int> coordinate(-8, 8);
   std::size_t curves = 0;
   for (int trial = 0; trial < 10; ++trial) {
-    std::vector<Point> points[2], reversed;
-    for (std::vector<Point>& p : points)
-      for (int k = 0; k < 4; ++k)
-        p.emplace_back(coordinate(random), coordinate(random));
-    reversed.assign(points[1].rbegin(), points[1].rend());
-    const Curve c1 = SC::bezier_curve(points[0]), c2 = SC::bezier_curve(points[1]), c3 = SC::bezier_curve(reversed);
+    const Curve c1 = SC::bezier_curve(random_points(random, 8)), c2 = SC::bezier_curve(random_points(random, 8)), c3 = c2.reversed();
     const Locus same = SC::envelope_curves(c1, c2), opposite = SC::envelope_curves(c1, c3), any = SC::envelope_curves(c1, c2, SC::Tangent_directions::ANY);
     for (const Locus* locus : {&same, &opposite, &any})
       EXPECT_TRUE(locus->is_complete()) << *locus;

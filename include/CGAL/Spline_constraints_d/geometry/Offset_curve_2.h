@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,18 @@
 
 namespace CGAL {
 namespace Spline_constraints {
+namespace internal {
+
+// The point of the offset of a curve at a parameter, which is clipped to its domain, rounded.
+inline std::array<double, 2> offset_point(const Differentiated_map& curve, const Exact_rational& distance, const Exact_rational& t)
+{
+  const Exact_rational place = (std::max)(curve.begin(), (std::min)(t, curve.end()));
+  const Exact_pair p = curve.at(0, place), tangent = curve.at(1, place);
+  const double dx = to_nearest_double(tangent[0]), dy = to_nearest_double(tangent[1]), factor = to_nearest_double(distance) / std::hypot(dx, dy);
+  return {to_nearest_double(p[0]) - factor * dy, to_nearest_double(p[1]) + factor * dx};
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDGeometry
@@ -80,9 +93,7 @@ public:
     std::size_t i = 0;
     while (i + 1 < m_parts.size() && m_parts[i].curve.end() <= t)
       ++i;
-    const internal::Exact_pair p = m_parts[i].curve.at(0, t), tangent = m_parts[i].curve.at(1, t);
-    const double dx = to_nearest_double(tangent[0]), dy = to_nearest_double(tangent[1]), factor = to_nearest_double(m_distance) / std::hypot(dx, dy);
-    return {to_nearest_double(p[0]) - factor * dy, to_nearest_double(p[1]) + factor * dx};
+    return internal::offset_point(m_parts[i].curve, m_distance, t);
   }
 
   /// \name Model of Locus

@@ -5,10 +5,10 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
@@ -26,29 +26,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Double_pair = std::array<double, 2>;
-
-// A point and the derivative of a curve.
-struct Curve_jet
-{
-  Double_pair point, tangent;
-};
-
-inline double cross(const Double_pair& a, const Double_pair& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline double dot(const Double_pair& a, const Double_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
-
-inline Curve_jet jet_at(const Differentiated_map& curve, double parameter)
-{
-  const Exact_rational t = (std::max)(curve.begin(), (std::min)(Exact_rational(parameter), curve.end()));
-  Curve_jet result;
-  const Exact_pair point = curve.at(0, t), tangent = curve.at(1, t);
-  for (std::size_t i = 0; i < 2; ++i) {
-    result.point[i] = to_nearest_double(point[i]);
-    result.tangent[i] = to_nearest_double(tangent[i]);
-  }
-  return result;
-}
-
 // A point of the plane in the stereographic projection to a sphere that lies on the origin: far points are close to each other there, and to the north pole, which is infinity.
 inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 {
@@ -56,6 +33,25 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
   if (!(share > 0))
     return {0, 0, 2 * radius};
   return {2 * radius * x * share, 2 * radius * y * share, 2 * radius * (1 - share)};
+}
+
+inline bool is_zero(const Spline_function& function)
+{
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
+  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
+}
+
+// The curves of solutions of a system; everything is undecided where an equation is always satisfied.
+inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
+{
+  if (std::none_of(system.equalities().begin(), system.equalities().end(), is_zero))
+    return solve_curves(system, options);
+  Curve_vertex::Exact_box domain;
+  for (int j = 0; j < system.dimension(); ++j)
+    domain.push_back(system.domain(j));
+  Summary summary;
+  summary.is_complete = false;
+  return Curve_solution_set_d({}, {}, {}, {}, {{{domain}, {}, Undecided_reason::CONTINUUM}}, summary);
 }
 
 } // namespace internal
@@ -78,9 +74,9 @@ struct Curve_pair_sample
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-Curves in the plane whose points belong to one point on each of two curves: their bisector, for example. They are the solutions of an equation in both parameters, with a proved topology.
+Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for example. They are solutions of equations in both parameters, with a proved topology.
 
-A curve of the result ends where one of the parameters is at the end of a smooth part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
+A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -94,19 +90,19 @@ public:
   //! one of the curves.
   struct Curve
   {
-    std::size_t part;                     ///< the index of the two smooth parts, all with the first part of the first curve before others
+    std::size_t part;                     ///< the index of the two parts, all with the first part of the first curve before others
     std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in `solutions(part)`
     bool is_closed;                       ///< whether the last arc ends where the first one begins
   };
 
 private:
-  // A point of the plane that belongs to two points, with the derivatives there.
-  using Point_of_pair = std::function<internal::Double_pair(const internal::Curve_jet&, const internal::Curve_jet&)>;
+  // The point of the plane that belongs to two points, and to the unknowns of a solution.
+  using Point_of_pair = std::function<internal::Double_pair(const internal::Pair_of_points&, const std::vector<double>&)>;
 
-  // The curves of two smooth parts.
+  // The curves of two parts.
   struct Part
   {
-    internal::Differentiated_map first, second;
+    internal::Pair_of_parts parts;
     Constraint_system_d system;
     Curve_solution_set_d solutions;
   };
@@ -123,21 +119,17 @@ public:
 #ifndef DOXYGEN_RUNNING
   explicit Curve_pair_locus_2(Point_of_pair point) : m_point(std::move(point)) {}
 
-  // The solutions for two smooth parts, and those where the point is at infinity. On both ends of a closed part, the equation has the same solutions.
-  void add(const internal::Differentiated_map& first, const internal::Differentiated_map& second, const Constraint_system_d& system, const Curve_solution_set_d& solutions,
-           const std::vector<Solution_d<double>>& points_at_infinity)
+  // The solutions of an equation for two parts, cut where the point is at infinity.
+  void add(const internal::Pair_of_parts& parts, const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns, const Solver_options& options, const std::vector<Solution_d<double>>& points_at_infinity = {})
   {
     std::vector<Curve_vertex::Exact_box> poles, rest;
     for (const Solution_d<double>& point : points_at_infinity)
       (point.is_certified() ? poles : rest).push_back(point.exact_box());
     const std::size_t multiple = rest.size();
-    m_parts.push_back({first, second, system, internal::Curve_cuts(solutions)(poles, rest)});
+    const Constraint_system_d system = internal::system_of(constraints, unknowns);
+    m_parts.push_back({parts, system, internal::Curve_cuts(internal::curves_or_continuum(system, options))(poles, rest)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
-    std::vector<std::size_t> closed_unknowns;
-    for (const std::size_t k : {0, 1})
-      if (const internal::Differentiated_map& curve = k == 0 ? first : second; curve.map().is_closed() && internal::have_common_tangent(curve, curve))
-        closed_unknowns.push_back(k);
-    const internal::Seam_joints joints(system, set, closed_unknowns);
+    const internal::Seam_joints joints(system, set, parts.closed_unknowns);
     for (Intersection_curve& curve : joints.curves())
       m_curves.push_back({m_parts.size() - 1, std::move(curve.arcs), curve.is_closed});
     for (const std::size_t i : set.singular_points())
@@ -145,10 +137,12 @@ public:
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
     for (const Curve_vertex::Exact_box& box : rest)
       m_undecided.push_back({{box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+    for (const std::size_t i : joints.unmatched())
+      m_undecided.push_back({{set.vertices()[i].box}, {i}, Undecided_reason::DOMAIN_BOUNDARY});
     m_poles += poles.size() + multiple - rest.size();
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
-    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.is_complete();
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.unmatched().empty();
   }
 
   void add_work(const Summary& work)
@@ -159,14 +153,11 @@ public:
   }
 #endif
 
-  //! the curves, one after the other by smooth parts.
+  //! the curves, one after the other by parts.
   const std::vector<Curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
-  std::size_t number_of_closed_curves() const
-  {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Curve& curve) { return curve.is_closed; }));
-  }
+  std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
@@ -174,7 +165,7 @@ public:
   //! where curves cross in the plane of the parameters, or isolated solutions.
   const std::vector<Curve_vertex>& singular_points() const { return m_singular_points; }
 
-  //! where nothing is proved.
+  //! where nothing is proved, poles that do not find their place on a curve, and ends on a seam that were not matched with one on the other side.
   const std::vector<Undecided_region>& undecided() const { return m_undecided; }
 
   //! how often a curve goes to infinity and comes back from the other side: two ends each.
@@ -186,7 +177,7 @@ public:
   //! the work.
   const Summary& summary() const { return m_summary; }
 
-  //! the curves of two smooth parts in the plane of their parameters, as the solver found them, but cut at infinity.
+  //! the curves of two parts in the plane of the unknowns, which are their parameters unless an operation says otherwise, as the solver found them, but cut at infinity.
   const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
@@ -211,31 +202,31 @@ public:
     if (!(error > 0) || !(radius > 0))
       throw Invalid_input("Curve_pair_locus_2: the error and the radius must be positive");
     const Part& part = m_parts[curve.part];
-    const auto seen = [&](const std::vector<double>& parameters) { return internal::on_sphere(point(part, parameters), radius); };
-    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(seen(from), seen(between), seen(to)) <= error; };
-    std::vector<std::vector<double>> points;
+    struct Image
+    {
+      internal::Double_pair point;
+      std::array<double, 3> on_sphere;
+    };
+    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error; };
+    std::vector<internal::Curve_sample<Image>> samples;
     for (const Intersection_arc& arc : curve.arcs) {
-      std::vector<std::vector<double>> more = internal::curve_points(part.system, part.solutions, part.solutions.curves()[arc.index], is_chord);
+      const auto image = [&](const std::vector<double>& unknowns) {
+        const internal::Double_pair p = m_point(part.parts.points(unknowns), unknowns);
+        return Image{p, internal::on_sphere(p, radius)};
+      };
+      auto more = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
       if (arc.is_reversed)
         std::reverse(more.begin(), more.end());
-      points.insert(points.end(), more.begin(), more.end());
+      samples.insert(samples.end(), more.begin(), more.end());
     }
     if (ends_at_infinity(curve, 0))
-      points.erase(points.begin());
+      samples.erase(samples.begin());
     if (ends_at_infinity(curve, 1))
-      points.pop_back();
+      samples.pop_back();
     std::vector<Sample> result;
-    for (const std::vector<double>& parameters : points) {
-      const auto [x, y] = point(part, parameters);
-      result.push_back({typename Kernel::Point_2(x, y), {parameters[0], parameters[1]}});
-    }
+    for (const auto& [unknowns, place] : samples)
+      result.push_back({typename Kernel::Point_2(place.point[0], place.point[1]), part.parts.parameters(unknowns)});
     return result;
-  }
-
-private:
-  internal::Double_pair point(const Part& part, const std::vector<double>& parameters) const
-  {
-    return m_point(internal::jet_at(part.first, parameters[0]), internal::jet_at(part.second, parameters[1]));
   }
 };
 

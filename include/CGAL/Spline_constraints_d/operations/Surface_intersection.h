@@ -74,13 +74,15 @@ public:
       return;
     const internal::Seam_joints joints(m_surfaces.system(), m_solutions, m_surfaces.closed_unknowns());
     m_curves = joints.curves();
-    m_summary.is_complete = m_summary.is_complete && joints.is_complete();
+    m_summary.is_complete = m_summary.is_complete && joints.unmatched().empty();
     for (const std::size_t i : joints.points())
       m_points.push_back(special_point(Intersection_kind::END_POINT, m_solutions.vertices()[i].box));
     for (const std::size_t i : m_solutions.singular_points())
       m_singular_points.push_back(special_point(Intersection_kind::TANGENT, m_solutions.vertices()[i].box));
     for (const Undecided_region& region : m_solutions.undecided())
       m_undecided.push_back(special_point(Intersection_kind::UNDECIDED, hull(region.boxes)));
+    for (const std::size_t i : joints.unmatched())
+      m_undecided.push_back(special_point(Intersection_kind::UNDECIDED, m_solutions.vertices()[i].box));
   }
 #endif
 
@@ -88,10 +90,7 @@ public:
   const std::vector<Intersection_curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
-  std::size_t number_of_closed_curves() const
-  {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Intersection_curve& curve) { return curve.is_closed; }));
-  }
+  std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
@@ -102,7 +101,7 @@ public:
   //! points on an edge of a surface without others near them.
   const std::vector<Special_point>& points() const { return m_points; }
 
-  //! the regions where nothing is proved: the ranges hold their parameters.
+  //! the regions where nothing is proved, and the ends on a seam that were not matched with one on the other side: the ranges hold their parameters.
   const std::vector<Special_point>& undecided() const { return m_undecided; }
 
   //! whether the curves, points and singular points are all that the surfaces have in common, and the curves are connected as they say, by proof.
@@ -136,13 +135,14 @@ public:
   {
     if (!(error > 0) || !(parameter_error > 0))
       throw Invalid_input("Surface_intersection: the error must be positive");
-    const auto is_chord = [&](const std::vector<double>& from, const std::vector<double>& point, const std::vector<double>& to) {
+    const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
       using internal::distance_from_middle;
-      return distance_from_middle(m_surfaces.point(from), m_surfaces.point(point), m_surfaces.point(to)) <= error && distance_from_middle(from, point, to) <= parameter_error;
+      return distance_from_middle(from.image, sample.image, to.image) <= error && distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
     };
+    const auto point = [&](const std::vector<double>& unknowns) { return m_surfaces.point(unknowns); };
     std::vector<Sample> result;
-    for (const std::vector<double>& unknowns : internal::curve_points(m_surfaces.system(), m_solutions, m_solutions.curves()[arc.index], is_chord))
-      result.push_back({internal::kernel_object<Kernel, Point>(m_surfaces.point(unknowns)), {parameters(0, unknowns), parameters(1, unknowns)}});
+    for (const auto& [unknowns, image] : internal::curve_samples(m_surfaces.system(), m_solutions, m_solutions.curves()[arc.index], point, is_chord))
+      result.push_back({internal::kernel_object<Kernel, Point>(image), {parameters(0, unknowns), parameters(1, unknowns)}});
     if (arc.is_reversed)
       std::reverse(result.begin(), result.end());
     return result;

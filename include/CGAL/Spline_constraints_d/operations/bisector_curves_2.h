@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_BISECTOR_CURVES_2_H
 
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 
 #include <cmath>
@@ -18,12 +19,13 @@ namespace internal {
 The center of the circle that touches two curves in given points: on the perpendicular bisector of these, and on both normals. The normal of the first curve meets the perpendicular bisector in
 (a + b) / 2 + h d', with d = a - b turned by 90 degrees and h = -<a',d> / (2 a' x d); that of the second one likewise. The better one is taken.
 */
-inline Double_pair center_of_tangent_circle(const Curve_jet& first, const Curve_jet& second)
+inline Double_pair center_of_tangent_circle(const Pair_of_points& pair)
 {
-  const Double_pair d{first.point[0] - second.point[0], first.point[1] - second.point[1]};
-  const double s = cross(first.tangent, d) / std::hypot(first.tangent[0], first.tangent[1]), t = cross(second.tangent, d) / std::hypot(second.tangent[0], second.tangent[1]);
-  const double h = !(std::abs(s) < std::abs(t)) ? -0.5 * dot(first.tangent, d) / cross(first.tangent, d) : 0.5 * dot(second.tangent, d) / cross(second.tangent, d);
-  const double x = 0.5 * (first.point[0] + second.point[0]), y = 0.5 * (first.point[1] + second.point[1]);
+  const auto& [first, second] = pair.tangents;
+  const Double_pair& d = pair.chord;
+  const double s = cross(first, d) / std::hypot(first[0], first[1]), t = cross(second, d) / std::hypot(second[0], second[1]);
+  const double h = !(std::abs(s) < std::abs(t)) ? -0.5 * dot(first, d) / cross(first, d) : 0.5 * dot(second, d) / cross(second, d);
+  const double x = 0.5 * (pair.points[0][0] + pair.points[1][0]), y = 0.5 * (pair.points[0][1] + pair.points[1][1]);
   return d == Double_pair{0, 0} ? Double_pair{x, y} : Double_pair{x - h * d[1], y + h * d[0]};
 }
 
@@ -40,7 +42,7 @@ which is equation (20) of \cgalCite{kes-gcps-05} with the center from (21) and (
 certified, and the curves are cut there.
 
 The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own. Ends of the curves and corners are not taken for sites here. Where two curves intersect, two branches of the bisector
-cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, and where a curve stands still, the bisector is undecided.
+cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, the bisector is undecided. Where the derivative of one is zero, all points of the other one satisfy the equation, with centers of circles that only pass through that point.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -54,18 +56,13 @@ template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> bisector_curves(const C1& c1, const C2& c2, const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
-  Curve_pair_locus_2<typename C1::Kernel> result(center_of_tangent_circle);
+  Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_circle(pair); });
   Summing_solver solve(options);
-  const std::vector<Smooth_part> second_parts = smooth_parts(Planar_map(c2));
-  for (const Smooth_part& first : smooth_parts(Planar_map(c1)))
-    for (const Smooth_part& second : second_parts) {
-      const auto [u, v] = parameters(first.curve.map(), second.curve.map());
-      const Vector_expression<2> d = first.curve(0, u) - second.curve(0, v), a = first.curve(1, u), b = second.curve(1, v);
-      const std::vector<Constraint> equation{dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d) == 0};
-      const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});
-      const Constraint_system_d system = make_system(equation);
-      result.add(first.curve, second.curve, system, solve_curves(system, options), {at_infinity.begin(), at_infinity.end()});
-    }
+  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
+    const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u), b = parts.second(1, v);
+    const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});
+    result.add(parts, {dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d) == 0}, {u, v}, options, {at_infinity.begin(), at_infinity.end()});
+  });
   result.add_work(solve.total());
   return result;
 }

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ENVELOPE_CURVES_2_H
 
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 
 #include <vector>
 
@@ -43,20 +44,17 @@ template <ParametricCurve_2 C1, ParametricCurve_2 C2>
 Curve_pair_locus_2<typename C1::Kernel> envelope_curves(const C1& c1, const C2& c2, Tangent_directions directions = Tangent_directions::SAME, const Solver_options& options = {.tolerance = 1e-8})
 {
   using namespace internal;
-  Curve_pair_locus_2<typename C1::Kernel> result([](const Curve_jet& first, const Curve_jet& second) {
-    return Double_pair{first.point[0] + second.point[0], first.point[1] + second.point[1]};
+  Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) {
+    const auto& [first, second] = pair.points;
+    return Double_pair{first[0] + second[0], first[1] + second[1]};
   });
-  const std::vector<Smooth_part> second_parts = smooth_parts(Planar_map(c2));
-  for (const Smooth_part& first : smooth_parts(Planar_map(c1)))
-    for (const Smooth_part& second : second_parts) {
-      const auto [u, v] = parameters(first.curve.map(), second.curve.map());
-      const Vector_expression<2> a = first.curve(1, u), b = second.curve(1, v);
-      std::vector<Constraint> constraints{determinant(a, b) == 0};
-      if (directions == Tangent_directions::SAME)
-        constraints.push_back(dot(a, b) > 0);
-      const Constraint_system_d system = make_system(constraints);
-      result.add(first.curve, second.curve, system, solve_curves(system, options), {});
-    }
+  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
+    const Vector_expression<2> a = parts.first(1, u), b = parts.second(1, v);
+    std::vector<Constraint> constraints{determinant(a, b) == 0};
+    if (directions == Tangent_directions::SAME)
+      constraints.push_back(dot(a, b) > 0);
+    result.add(parts, constraints, {u, v}, options);
+  });
   return result;
 }
 

@@ -108,6 +108,16 @@ struct Undecided_region
   Undecided_reason reason;
 };
 
+namespace internal {
+
+template <class Curve>
+std::size_t number_of_closed(const std::vector<Curve>& curves)
+{
+  return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [](const Curve& curve) { return curve.is_closed; }));
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
@@ -146,10 +156,7 @@ public:
   const std::vector<Undecided_region>& undecided() const { return m_undecided; }
 
   //! number of closed curves.
-  std::size_t number_of_closed_curves() const
-  {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Solution_curve& curve) { return curve.is_closed; }));
-  }
+  std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }

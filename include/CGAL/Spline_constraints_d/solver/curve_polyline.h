@@ -21,6 +21,14 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// A point of a curve of solutions, and what is computed from its unknowns, once.
+template <class Image>
+struct Curve_sample
+{
+  std::vector<double> unknowns;
+  Image image;
+};
+
 // Finds the points of pieces for given values of their parameters.
 class Curve_sampler
 {
@@ -34,25 +42,26 @@ class Curve_sampler
 public:
   explicit Curve_sampler(const Constraint_system_d& system) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout) {}
 
-  // Appends the points of a piece behind `from`, until each chord is one by `is_chord(from, point of the curve between, to)`; `to` is the last one.
-  template <class Is_chord>
-  void append(std::vector<Point>& points, const Curve_piece& piece, const Point& from, const Point& to, const Is_chord& is_chord, int depth = 0)
+  // Appends the samples of a piece behind `from`, until each chord is one by `is_chord(from, sample of the curve between, to)`; `to` is the last one.
+  template <class Image, class Image_of, class Is_chord>
+  void append(std::vector<Curve_sample<Image>>& samples, const Curve_piece& piece, const Curve_sample<Image>& from, const Curve_sample<Image>& to, const Image_of& image_of, const Is_chord& is_chord, int depth = 0)
   {
     constexpr int least_depth = 1, most_depth = 20;
     if (piece.parameter < 0) {
-      points.push_back(to);
+      samples.push_back(to);
       return;
     }
-    Point middle(from.size());
-    for (std::size_t j = 0; j < from.size(); ++j)
-      middle[j] = 0.5 * (from[j] + to[j]);
+    Point middle(from.unknowns.size());
+    for (std::size_t j = 0; j < middle.size(); ++j)
+      middle[j] = 0.5 * (from.unknowns[j] + to.unknowns[j]);
     const Point point = on_curve(piece, middle);
-    if (depth >= most_depth || (depth >= least_depth && is_chord(from, point, to))) {
-      points.push_back(to);
+    const Curve_sample<Image> sample{point, image_of(point)};
+    if (depth >= most_depth || (depth >= least_depth && is_chord(from, sample, to))) {
+      samples.push_back(to);
       return;
     }
-    append(points, piece, from, point, is_chord, depth + 1);
-    append(points, piece, point, to, is_chord, depth + 1);
+    append(samples, piece, from, sample, image_of, is_chord, depth + 1);
+    append(samples, piece, sample, to, image_of, is_chord, depth + 1);
   }
 
 private:
@@ -143,14 +152,19 @@ double distance_from_middle(const Point& from, const Point& point, const Point& 
   return result;
 }
 
-// Points along a curve, with a chord between each two by `is_chord`.
-template <class Is_chord>
-std::vector<std::vector<double>> curve_points(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, const Is_chord& is_chord)
+// Samples along a curve with their images by `image_of(unknowns)`, and a chord between each two by `is_chord(from, sample between, to)`.
+template <class Image_of, class Is_chord>
+auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, const Image_of& image_of, const Is_chord& is_chord)
 {
+  using Sample = Curve_sample<decltype(image_of(std::vector<double>()))>;
+  const auto sample_at = [&](std::size_t vertex) {
+    const std::vector<double> unknowns = set.vertices()[vertex].point();
+    return Sample{unknowns, image_of(unknowns)};
+  };
   Curve_sampler sampler(system);
-  std::vector<std::vector<double>> result{set.vertices()[curve.pieces.front().ends[0]].point()};
+  std::vector<Sample> result{sample_at(curve.pieces.front().ends[0])};
   for (const Curve_piece& piece : curve.pieces)
-    sampler.append(result, piece, std::vector<double>(result.back()), set.vertices()[piece.ends[1]].point(), is_chord);
+    sampler.append(result, piece, Sample(result.back()), sample_at(piece.ends[1]), image_of, is_chord);
   return result;
 }
 
@@ -173,7 +187,12 @@ inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& s
 {
   if (!(error > 0))
     throw Invalid_input("to_polyline: the error must be positive");
-  return internal::curve_points(system, set, curve, [error](const auto& from, const auto& point, const auto& to) { return internal::distance_from_middle(from, point, to) <= error; });
+  const auto nothing = [](const std::vector<double>&) { return 0; };
+  const auto is_chord = [error](const auto& from, const auto& sample, const auto& to) { return internal::distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= error; };
+  std::vector<std::vector<double>> result;
+  for (const auto& sample : internal::curve_samples(system, set, curve, nothing, is_chord))
+    result.push_back(sample.unknowns);
+  return result;
 }
 
 } // namespace Spline_constraints

@@ -37,6 +37,7 @@ public:
   }
 
   const Planar_map& map() const { return m_derivatives[0]; }
+  int order() const { return static_cast<int>(m_derivatives.size()) - 1; }
   const Exact_rational& begin() const { return map().domain(0).first; }
   const Exact_rational& end() const { return map().domain(0).second; }
 

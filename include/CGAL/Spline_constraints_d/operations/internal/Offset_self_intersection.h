@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_OFFSET_SELF_INTERSECTION_H
 
 #include <CGAL/Spline_constraints_d/function/exact_division.h>
+#include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
@@ -119,7 +120,7 @@ private:
       const std::vector<Unknown> unknowns = unknowns_in({{0, 1}, {0, 1}, m_ranges[2]});   // s, the larger distance, q
       const Unknown &s = unknowns[0], &t = unknowns[1];
       const Expression near = scale * s * t, u = end.u + end.u_length * (is_u_nearer ? near : t), v = end.v + end.v_length * (is_u_nearer ? t : near);
-      const auto in_chart = [&](const Expression& f) { return substituted(expanded(f), std::array<Expression, 3>{u, v, unknowns[2]}); };
+      const auto in_chart = [&](const Expression& f) { return substituted(numerator_polynomial(f), std::array<Expression, 3>{u, v, unknowns[2]}); };
       const Power_polynomial a = in_chart(m_a).polynomial(), b = in_chart(m_b).polynomial();
       if (monomial_content(a).exponent(1) < 1 || monomial_content(b).exponent(1) < 2)
         return std::nullopt;
@@ -141,13 +142,6 @@ private:
       }
     }
     return result;
-  }
-
-  // The numerator, without splines: weights are positive.
-  static Power_polynomial expanded(const Expression& formula)
-  {
-    const Formula_expansion expansion(*formula.symbols(), formula.numerator());
-    return polynomial_of_piece(expansion.scaled_term(), 0);
   }
 
   void add_open_ends(const Expression& u, const Expression& v, std::vector<Constraint>& constraints) const

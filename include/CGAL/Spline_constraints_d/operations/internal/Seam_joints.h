@@ -32,7 +32,7 @@ class Seam_joints
   const Curve_solution_set_d& m_set;
   std::vector<std::size_t> m_point;                               // of each vertex, a vertex that is the same point in space
   std::vector<std::vector<std::pair<std::size_t, int>>> m_ends;   // per such point: the curves that end there, and with which end
-  bool m_is_complete = true;
+  std::vector<std::size_t> m_unmatched;
 
 public:
   // A face of the domain: an unknown and its value.
@@ -56,8 +56,8 @@ public:
           m_ends[point_at(c, side)].emplace_back(c, side);
   }
 
-  // Whether the points on both sides of all seams were matched.
-  bool is_complete() const { return m_is_complete; }
+  // The vertices on a seam for which there is not just one on its other side.
+  const std::vector<std::size_t>& unmatched() const { return m_unmatched; }
 
   // A vertex that stands for all that are the same point in space as a given one.
   std::size_t representative(std::size_t vertex) const { return m_point[vertex]; }
@@ -139,14 +139,14 @@ private:
   void identify(std::size_t unknown, const Constraint_system_d::Domain& range)
   {
     const std::vector<std::size_t> lower = on_face(unknown, range.first), upper = on_face(unknown, range.second);
-    for (const std::size_t i : lower) {
-      const std::vector<std::size_t> partners = meeting(i, upper, unknown);
-      if (partners.size() == 1 && meeting(partners[0], lower, unknown).size() == 1)
-        m_point[root(partners[0])] = root(i);
-      else
-        m_is_complete = false;
-    }
-    m_is_complete = m_is_complete && lower.size() == upper.size();
+    for (const auto& [own, others] : {std::pair(&lower, &upper), std::pair(&upper, &lower)})
+      for (const std::size_t i : *own) {
+        const std::vector<std::size_t> partners = meeting(i, *others, unknown);
+        if (partners.size() == 1 && meeting(partners[0], *own, unknown).size() == 1)
+          m_point[root(partners[0])] = root(i);
+        else
+          m_unmatched.push_back(i);
+      }
   }
 
   std::vector<std::size_t> on_face(std::size_t unknown, const Exact_rational& value) const

@@ -15,6 +15,18 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// The system with these unknowns, whether constraints use them or not.
+inline Constraint_system_d system_of(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
+{
+  std::vector<Constraint_system_d::Domain> domain;
+  for (const Unknown& unknown : unknowns)
+    domain.push_back(unknown.domain());
+  Constraint_system_d system(std::move(domain));
+  for (const Constraint& constraint : constraints)
+    system.add(constraint);
+  return system;
+}
+
 // Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together, that of time also for what is done between them.
 class Summing_solver
 {
@@ -30,16 +42,7 @@ public:
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
 
   // With these unknowns, whether constraints use them or not.
-  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
-  {
-    std::vector<Constraint_system_d::Domain> domain;
-    for (const Unknown& unknown : unknowns)
-      domain.push_back(unknown.domain());
-    Constraint_system_d system(std::move(domain));
-    for (const Constraint& constraint : constraints)
-      system.add(constraint);
-    return solve(system);
-  }
+  Solution_set_d<double> operator()(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns) { return solve(system_of(constraints, unknowns)); }
 
   const Summary& total() const { return m_total; }
 
