@@ -269,4 +269,21 @@ TEST(integer_bit_length, agrees_with_the_powers_of_two)
   EXPECT_EQ(internal::integer_bit_length(Exact_integer(1)), 1);
 }
 
+TEST(next_above, agrees_with_the_library)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+  const auto check = [&](double x) {
+    EXPECT_EQ(internal::next_above(x), std::nextafter(x, infinity)) << x;
+    EXPECT_EQ(internal::next_below(x), std::nextafter(x, -infinity)) << x;
+  };
+  for (const double x : {0.0, 0x1p-1074, 0x1p-1022, 0.5, 1.0, largest, infinity}) {
+    check(x);
+    check(-x);
+  }
+  Random random(1);
+  for (int i = 0; i < 1000; ++i)
+    check(random_double(random));
+  EXPECT_TRUE(std::isnan(internal::next_above(std::numeric_limits<double>::quiet_NaN())));
+}
+
 } // namespace

@@ -90,6 +90,10 @@ inline double double_of_key(std::int64_t key)
   return std::bit_cast<double>(key >= 0 ? key : (std::numeric_limits<std::int64_t>::min)() - key);
 }
 
+// The next double above x or below it; infinity in this direction, and what is no number, stays.
+inline double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? double_of_key(key_of_double(x) + 1) : x; }
+inline double next_below(double x) { return -next_above(-x); }
+
 // The exact value of a finite double.
 inline Exact_rational rational_of_finite(double x)
 {

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_BOX_NODE_H
 
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
@@ -37,13 +38,13 @@ inline Exact_rational place_between(const Exact_rational& lower, const Exact_rat
 inline double place_below(double lower, double upper, double t)
 {
   const double slack = 0x1p-45 * (1 + std::abs(t));
-  return std::nextafter(lower + (t - slack) * (upper - lower), -HUGE_VAL);
+  return next_below(lower + (t - slack) * (upper - lower));
 }
 
 inline double place_above(double lower, double upper, double t)
 {
   const double slack = 0x1p-45 * (1 + std::abs(t));
-  return std::nextafter(lower + (t + slack) * (upper - lower), HUGE_VAL);
+  return next_above(lower + (t + slack) * (upper - lower));
 }
 
 // The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a thousandth: the fewer digits the ends of boxes have, the shorter

@@ -135,6 +135,7 @@ private:
   void bound_block(const internal::Block& block, const Plan& plan);
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
+  template <int members>
   void enclose_line(const internal::Block& block, const Plan& plan);
   template <int members>
   void compute_slopes(const internal::Block& block);
@@ -152,6 +153,10 @@ private:
       internal::run_with_constant<6>(block.functions.size(), [&](auto members) { run(block, m_plans[b], members); });
     }
   }
+
+  // The number of functions of a block, from visit_blocks().
+  template <int members>
+  static std::size_t functions_of(const internal::Block& block) { return members > 0 ? static_cast<std::size_t>(members) : block.functions.size(); }
 
   // What varies faster than the first axis.
   static std::size_t inner_size(const internal::Block& block) { return block.axes.empty() ? block.functions.size() : block.lengths[1]; }
@@ -206,7 +211,7 @@ inline void Node_view::bound_blocks()
 template <int members>
 void Node_view::bound_block(const internal::Block& block, const Plan& plan)
 {
-  const std::size_t functions = block.functions.size(), inner = inner_size(block);
+  const std::size_t functions = functions_of<members>(block), inner = inner_size(block);
   const double* data = m_coefficients + block.offset;
   double *least = m_least_over_first.data() + plan.over_first, *most = m_most_over_first.data() + plan.over_first;
   double *lower = m_block_lower.data() + block.first_error, *upper = m_block_upper.data() + block.first_error;
@@ -218,12 +223,14 @@ void Node_view::bound_block(const internal::Block& block, const Plan& plan)
     internal::bound_ranges<members>(
       functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
       [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
+  const double* errors = m_errors + block.first_error;
+  const int* function = block.functions.data();
   for (std::size_t m = 0; m < functions; ++m) {
-    const double error = m_errors[block.first_error + m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
+    const double error = errors[m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
     lower[m] -= error;
     upper[m] += error;
-    m_hull_lower[block.functions[m]] += lower[m];
-    m_hull_upper[block.functions[m]] += upper[m];
+    m_hull_lower[function[m]] += lower[m];
+    m_hull_upper[function[m]] += upper[m];
   }
 }
 
@@ -235,15 +242,16 @@ inline void Node_view::enclose_blocks()
     std::fill(v->begin(), v->end(), 0.0);
   visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
     if (block.axes.size() <= 1)
-      enclose_line(block, plan);
+      enclose_line<members>(block, plan);
     else
       enclose_block<members>(block, plan);
-    for (std::size_t m = 0; m < block.functions.size(); ++m) {
+    const std::size_t functions = functions_of<members>(block), axes = block.axes.size();
+    for (std::size_t m = 0; m < functions; ++m) {
       const int f = block.functions[m];
       const std::size_t entry = block.first_error + m;
       double total = (std::max)(std::abs(m_block_lower[entry]), std::abs(m_block_upper[entry]));
-      for (std::size_t j = 0; j < block.axes.size(); ++j) {
-        const double slope = m_block_slopes[j * block.functions.size() + m];
+      for (std::size_t j = 0; j < axes; ++j) {
+        const double slope = m_block_slopes[j * functions + m];
         total += std::abs(slope);
         m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slope;
       }
@@ -287,9 +295,10 @@ void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
 }
 
 // The same where there is nothing to tabulate.
-inline void Node_view::enclose_line(const internal::Block& block, const Plan& plan)
+template <int members>
+void Node_view::enclose_line(const internal::Block& block, const Plan& plan)
 {
-  const std::size_t functions = block.functions.size(), count = block.points;
+  const std::size_t functions = functions_of<members>(block), count = block.points;
   const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
   internal::for_each_place(functions, [&](auto type, std::size_t m) {
     decltype(type) least = internal::load(type, data + m), most = least;
@@ -367,7 +376,7 @@ inline void Node_view::bound_derivatives()
 template <int members>
 void Node_view::bound_differences(const internal::Block& block, std::size_t axis)
 {
-  const std::size_t functions = block.functions.size(), inner = block.lengths[axis + 1], line = block.lengths[axis];
+  const std::size_t functions = functions_of<members>(block), inner = block.lengths[axis + 1], line = block.lengths[axis];
   const double* data = m_coefficients + block.offset;
   double *lower = m_block_rest_lower.data(), *upper = m_block_rest_upper.data();
   const auto difference = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -115,6 +116,7 @@ class Root_position
   std::vector<double> m_coefficients, m_errors;
   std::vector<long> m_scale;
   Partial_point m_values;   // coordinates that are known exactly
+  std::vector<double> m_corner;
   std::optional<Node_view> m_view;   // made when it is needed
 
 public:
@@ -135,6 +137,10 @@ public:
     Position position = position_of(enclosure);
     if (position == Position::INSIDE || position == Position::OUTSIDE)
       return position;
+    if constexpr (std::is_same_v<Coordinate, double>)
+      if (finds_corner(enclosure))
+        if (const auto exact = position_at(m_corner); exact.first)
+          return exact.second;
     Root_enclosure<Exact_rational> fine;
     fine.lower.assign(enclosure.lower.begin(), enclosure.lower.end());
     fine.upper.assign(enclosure.upper.begin(), enclosure.upper.end());
@@ -201,6 +207,13 @@ private:
       const C &lower = enclosure.lower[j], &upper = enclosure.upper[j];
       if (lower >= C(m_lower[j].second) && upper <= C(m_upper[j].first))
         continue;
+      if constexpr (std::is_same_v<C, double>)
+        if (has_double_ends(j) && !m_values[j]) {
+          if (upper < m_lower[j].first || m_upper[j].first < lower)
+            return Position::OUTSIDE;
+          is_on_boundary = true;
+          continue;
+        }
       const Exact_rational lo = m_values[j] ? *m_values[j] : Exact_rational(lower), hi = m_values[j] ? *m_values[j] : Exact_rational(upper);
       if (hi < m_system.domain(j).first || m_system.domain(j).second < lo)
         return Position::OUTSIDE;
@@ -258,25 +271,43 @@ private:
     return simplest_rational_between(lower, upper);
   }
 
+  bool has_double_ends(int j) const { return m_lower[j].first == m_lower[j].second && m_upper[j].first == m_upper[j].second; }
+
+  // Puts a corner of the domain that lies in the enclosure into m_corner, if there is one and its coordinates are doubles.
+  bool finds_corner(const Root_enclosure<double>& enclosure)
+  {
+    m_corner.clear();
+    for (int j = 0; j < m_layout.dimension && has_double_ends(j); ++j)
+      for (double end : {m_lower[j].first, m_upper[j].first})
+        if (enclosure.lower[j] <= end && end <= enclosure.upper[j]) {
+          m_corner.push_back(end);
+          break;
+        }
+    return static_cast<int>(m_corner.size()) == m_layout.dimension;
+  }
+
   // The sign of a function at a point: in integers where the coordinates are dyadic.
+  template <class C>
   class Signs_at_point
   {
     const Constraint_system_d& m_system;
-    const std::vector<Exact_rational>& m_point;
+    const std::vector<C>& m_point;
     std::vector<Exact_source::Value> m_values;
 
   public:
-    Signs_at_point(const Constraint_system_d& system, Exact_source& source, const std::vector<Exact_rational>& point)
+    Signs_at_point(const Constraint_system_d& system, Exact_source& source, const std::vector<C>& point)
       : m_system(system), m_point(point)
     {
-      const std::span<const Exact_rational> coordinates(point);
-      if (std::all_of(point.begin(), point.end(), [](const Exact_rational& x) { return is_dyadic(x); }))
+      const std::span<const C> coordinates(point);
+      if (std::all_of(point.begin(), point.end(), [](const C& x) { return std::is_same_v<C, double> || is_dyadic(Exact_rational(x)); }))
         source.evaluate(source.cell_of(coordinates), coordinates, m_values);
     }
 
     CGAL::Sign operator()(int f) const
     {
-      return m_values.empty() ? CGAL::sign(evaluate_exactly(function_of(m_system, f), m_point)) : CGAL::sign(m_values[f].mantissa);
+      if (!m_values.empty())
+        return CGAL::sign(m_values[f].mantissa);
+      return CGAL::sign(evaluate_exactly(function_of(m_system, f), {m_point.begin(), m_point.end()}));
     }
   };
 
@@ -285,12 +316,19 @@ private:
     std::vector<Exact_rational> point;
     for (int j = 0; j < m_layout.dimension; ++j)
       point.push_back(likely_coordinate(j, enclosure.lower[j], enclosure.upper[j]));
-    const Signs_at_point sign(m_system, m_source, point);
+    return position_at(point);
+  }
+
+  // Whether the equalities vanish at a point, and if so, where it is.
+  template <class C>
+  std::pair<bool, Position> position_at(const std::vector<C>& point)
+  {
+    const Signs_at_point<C> sign(m_system, m_source, point);
     for (int f = 0; f < m_layout.equalities; ++f)
       if (sign(f) != CGAL::ZERO)
         return {false, Position::INSIDE};
     for (int j = 0; j < m_layout.dimension; ++j)
-      if (point[j] < m_system.domain(j).first || m_system.domain(j).second < point[j])
+      if (const Exact_rational x(point[j]); x < m_system.domain(j).first || m_system.domain(j).second < x)
         return {true, Position::OUTSIDE};
     for (int f = m_layout.equalities; f < m_layout.functions; ++f)
       if (!is_satisfied(m_system.inequalities()[f - m_layout.equalities].relation, sign(f)))

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_REFINEMENT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_REFINEMENT_H
 
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 
@@ -56,12 +57,12 @@ inline Exact_rational stepped(const Exact_rational& x, double step, int bits)
 // How close to x a root in a region of some width is sought: a unit in the last place, but not endlessly close to zero; or 2^-bits.
 inline double resolution(double x, double width, int)
 {
-  return (std::max)(std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x), 0x1p-80 * width);
+  return (std::max)(next_above(std::abs(x)) - std::abs(x), 0x1p-80 * width);
 }
 inline double resolution(const Exact_rational&, double, int bits) { return std::ldexp(1.0, -bits); }
 
-inline double below(double x, double radius) { return std::nextafter(x - radius, -HUGE_VAL); }
-inline double above(double x, double radius) { return std::nextafter(x + radius, HUGE_VAL); }
+inline double below(double x, double radius) { return next_below(x - radius); }
+inline double above(double x, double radius) { return next_above(x + radius); }
 inline Exact_rational below(const Exact_rational& x, double radius) { return x - Exact_rational(radius); }
 inline Exact_rational above(const Exact_rational& x, double radius) { return x + Exact_rational(radius); }
 
@@ -70,13 +71,15 @@ Newton's iteration in double, on the coefficients of a box: where the one with e
 */
 class Approximate_refinement
 {
-  std::vector<double> m_values, m_work;
+  std::vector<double> m_values, m_work, m_binomials, m_basis;
 
 public:
   // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
   void refine(const System_layout& layout, const double* coefficients, const std::vector<double>& inverse, std::vector<double>& point)
   {
     const std::size_t n = point.size(), m = inverse.size() / n;
+    m_values.resize(layout.functions);
+    m_work.resize((std::max)(layout.size, n));
     for (double last = 0.5;;) {
       evaluate(layout, coefficients, point);
       double largest = 0;
@@ -85,39 +88,58 @@ public:
         for (std::size_t i = 0; i < m; ++i)
           step += inverse[j * m + i] * m_values[i];
         m_work[j] = step;
-        largest = (std::max)(largest, std::abs(step));
+        largest = std::abs(step) <= largest ? largest : std::abs(step);   // what is no number ends it
       }
       if (!(largest < 0.5 * last))
         return;
       for (std::size_t j = 0; j < n; ++j)
         point[j] = (std::min)((std::max)(point[j] - m_work[j], 0.0), 1.0);
+      if (largest / last * largest < 0x1p-53)
+        return;   // the next step, at this rate, would be lost in the last place
       last = largest;
     }
   }
 
 private:
-  // Fills m_values, by Horner's scheme along each axis of each block.
+  // Fills m_values, axis by axis of each block.
   void evaluate(const System_layout& layout, const double* coefficients, const std::vector<double>& point)
   {
-    m_values.assign(layout.functions, 0);
+    std::fill(m_values.begin(), m_values.end(), 0.0);
+    double* work = m_work.data();
     for (const Block& block : layout.blocks) {
       const double* rest = coefficients + block.offset;
-      m_work.resize((std::max)({m_work.size(), block.size(), point.size()}));
-      for (std::size_t j = 0; j < block.axes.size(); ++j, rest = m_work.data()) {
+      for (std::size_t j = 0; j < block.axes.size(); ++j, rest = work) {
         const int degree = block.degrees[j];
         const std::size_t inner = block.lengths[j + 1];
-        const double u = point[block.axes[j]], v = 1 - u;
-        std::copy(rest, rest + inner, m_work.data());
-        double weight = 1;   // C(degree,k) u^k
-        for (int k = 1; k <= degree; ++k) {
-          weight *= u * (degree - k + 1) / k;
-          for (std::size_t i = 0; i < inner; ++i)
-            m_work[i] = m_work[i] * v + weight * rest[k * inner + i];
-        }
+        const double* basis = compute_basis(degree, point[block.axes[j]]);
+        for_each_place(inner, [&](auto type, std::size_t i) {
+          auto sum = load(type, rest + i) * basis[0];
+          for (int k = 1; k <= degree; ++k)
+            sum = sum + load(type, rest + k * inner + i) * basis[k];
+          store(work + i, sum);
+        });
       }
       for (std::size_t i = 0; i < block.functions.size(); ++i)
         m_values[block.functions[i]] += rest[i];
     }
+  }
+
+  // The Bernstein polynomials at u.
+  const double* compute_basis(int degree, double u)
+  {
+    if (m_binomials.size() != static_cast<std::size_t>(degree) + 1) {
+      m_binomials.assign(1, 1.0);
+      for (int k = 1; k <= degree; ++k)
+        m_binomials.push_back(m_binomials.back() * (degree - k + 1) / k);
+      m_basis.resize(m_binomials.size());
+    }
+    double power = 1;
+    for (int k = 0; k <= degree; ++k, power *= u)
+      m_basis[k] = m_binomials[k] * power;
+    power = 1;
+    for (int k = degree; k >= 0; --k, power *= 1 - u)
+      m_basis[k] *= power;
+    return m_basis.data();
   }
 };
 
@@ -139,9 +161,8 @@ public:
   {
     const int n = static_cast<int>(region.lower.size());
     region.source->set_matrix(region.matrix);
-    for (auto* v : {&m_step, &m_step_error, &m_radius, &m_width})
-      v->resize(n);
-    m_point.resize(n);
+    if (m_point.size() != region.lower.size())
+      allocate(region.lower.size(), region.inverse.size() / region.lower.size());
     for (int j = 0; j < n; ++j) {
       m_width[j] = CGAL::to_double(Coordinate(region.upper[j] - region.lower[j])) * (1 + 0x1p-50);
       m_point[j] = stepped(region.lower[j], (region.start.empty() ? 0.5 : region.start[j]) * m_width[j], bits);
@@ -159,8 +180,8 @@ public:
       return best <= goal;
     };
     int idle = 0;   // iterations in which no step became shorter: the coordinates are not fine enough for more
-    m_shortest.assign(n, HUGE_VAL);
-    m_last_step.assign(n, 0);
+    std::fill(m_shortest.begin(), m_shortest.end(), HUGE_VAL);
+    std::fill(m_last_step.begin(), m_last_step.end(), 0.0);
     for (int iteration = 0; iteration < 1000 && idle < 6; ++iteration) {
       const double error = newton_step(region, bits);
       if (keep_if_best(error))
@@ -198,6 +219,16 @@ public:
   }
 
 private:
+  void allocate(std::size_t unknowns, std::size_t equalities)
+  {
+    for (auto* v : {&m_step, &m_step_error, &m_radius, &m_distance, &m_best_radius, &m_width, &m_shortest, &m_last_step})
+      v->resize(unknowns);
+    for (auto* v : {&m_value, &m_value_error})
+      v->resize(equalities);
+    for (auto* v : {&m_point, &m_last_point, &m_best})
+      v->resize(unknowns);
+  }
+
   // At a kink C is not the inverse on either side, and steps shrink by a constant factor: every other one goes to the limit of the geometric series. Steps that do not shrink any more
   // are the rounding of the coordinate.
   double extrapolated_step(int j, int iteration)
@@ -226,7 +257,6 @@ private:
         return HUGE_VAL;   // out of the range of double: no distance is known
       largest = (std::max)(largest, m_radius[j] / weight(j));
     }
-    m_distance.resize(n);
     for (int j = 0; j < n; ++j)
       m_distance[j] = weight(j) * largest / (1 - region.contraction) * (1 + 0x1p-40);
     bool is_better = true;
@@ -250,8 +280,6 @@ private:
   bool form_step(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
-    m_value.resize(m);
-    m_value_error.resize(m);
     for (int i = 0; i < m; ++i) {
       const double unit = std::ldexp(1.0, static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L))));
       const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };   // infinity, beyond the range of double, is no value of zero

@@ -253,11 +253,18 @@ private:
 public:
   Solution_set_d() = default;
   Solution_set_d(std::vector<Solution> solutions, const Summary& summary)
-    : m_solutions(std::move(solutions)), m_summary(summary)
+    : m_summary(summary)
   {
-    std::sort(m_solutions.begin(), m_solutions.end(), [](const Solution& a, const Solution& b) {
-      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() != b.box() ? a.box() < b.box() : a.exact_box() < b.exact_box();
+    std::vector<Solution*> order;   // solutions are large: each moves once
+    order.reserve(solutions.size());
+    for (Solution& solution : solutions)
+      order.push_back(&solution);
+    std::sort(order.begin(), order.end(), [](const Solution* a, const Solution* b) {
+      return a->kind() != b->kind() ? a->kind() < b->kind() : a->box() != b->box() ? a->box() < b->box() : a->exact_box() < b->exact_box();
     });
+    m_solutions.reserve(order.size());
+    for (Solution* solution : order)
+      m_solutions.push_back(std::move(*solution));
   }
 
   const_iterator begin() const { return m_solutions.begin(); }

@@ -77,9 +77,9 @@ class Subdivision_walk
   const System_layout& m_layout;
   const Solver_options& m_options;
   Run_control& m_control;
+  Found_roots<Coordinate> m_roots;
   std::vector<Multiple_root> m_multiple_roots;
   Worker m_worker;   // of this thread
-  Root_collection<NT> m_roots;
   std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
   std::map<Cell, std::optional<Common_cell>> m_common;   // of the cells that were looked at
   static constexpr std::size_t m_few_looks = 32;   // at C f, formed exactly, before they have to pay
@@ -89,14 +89,11 @@ class Subdivision_walk
 
 public:
   Subdivision_walk(const Constraint_system_d& system, const System_layout& layout, const Solver_options& options, Run_control& control)
-    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, nullptr, &m_multiple_roots),
-      m_roots(system, layout, m_worker.source, options.precision)
-  {
-    m_worker.roots.set_others(&m_roots.roots());
-  }
+    : m_system(system), m_layout(layout), m_options(options), m_control(control), m_worker(system, layout, options, control, &m_roots.roots(), &m_multiple_roots)
+  {}
 
   Exact_source& source() { return m_worker.source; }
-  Root_collection<NT>& roots() { return m_roots; }
+  Found_roots<Coordinate>& roots() { return m_roots; }
   std::vector<Open_box<Coordinate>>& open_boxes() { return m_open; }
 
   // Boxes that look like pieces of a curve of solutions.
@@ -184,11 +181,11 @@ public:
   void add_to(Summary& summary)
   {
     summary = sum(summary, m_worker.summary);
-    summary.refinement_seconds += m_worker.roots.seconds();
+    summary.refinement_seconds += m_worker.walk.certification().seconds();
     for (const auto& worker : m_workers)
       if (worker != nullptr) {
         summary = sum(summary, worker->summary);
-        summary.refinement_seconds += worker->roots.seconds();
+        summary.refinement_seconds += worker->walk.certification().seconds();
       }
   }
 
@@ -212,17 +209,11 @@ private:
   // One per cell of the grid of breaks.
   std::vector<Task> tasks_of_cells()
   {
-    std::vector<Exact_rational> lower, upper;
-    lower.reserve(m_layout.dimension);
-    upper.reserve(m_layout.dimension);
-    for (int v = 0; v < m_layout.dimension; ++v) {
-      lower.push_back(m_system.domain(v).first);
-      upper.push_back(m_system.domain(v).second);
-    }
+    const auto domain = [&](int v) -> const auto& { return m_system.domain(v); };
     const std::vector<Cell> cells = possible_cells();
     std::vector<Task> tasks;
     for (const Cell& cell : cells) {
-      const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source(), cell, lower, upper, m_options.precision);
+      const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source(), cell, domain, m_options.precision);
       tasks.push_back(Walk::make_task(cell, part_lower, part_upper, 1.0 / static_cast<double>(cells.size())));
     }
     return tasks;

@@ -103,6 +103,7 @@ public:
     m_walk.run();
     m_walk.look_again([&](const auto& box) { return !is_small(box) || !rational_solution_in(system, box).empty(); });
     m_walk.add_to(summary);
+    m_solutions.reserve(m_walk.roots().roots().size());
     for (const auto& root : m_walk.roots().roots())
       report_root<NT>(root, m_solutions);
     report_multiple_roots();

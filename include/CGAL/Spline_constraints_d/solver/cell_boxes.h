@@ -50,25 +50,25 @@ std::pair<Coordinate, Coordinate> dyadic_hull(const Exact_rational& lower, const
   }
 }
 
-// The part of a box in a cell, up to the rounding to dyadic ends.
-template <class Coordinate>
-std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const Exact_source& source, const Cell& cell, const std::vector<Exact_rational>& lower,
-                                                                         const std::vector<Exact_rational>& upper, int bits)
+// The part of a box in a cell, up to the rounding to dyadic ends; `range(v)` is the pair of its ends along an unknown.
+template <class Coordinate, class Range>
+std::pair<std::vector<Coordinate>, std::vector<Coordinate>> part_in_cell(const Exact_source& source, const Cell& cell, const Range& range, int bits)
 {
   std::vector<Coordinate> part_lower, part_upper;
-  part_lower.reserve(lower.size());
-  part_upper.reserve(lower.size());
-  for (std::size_t v = 0; v < lower.size(); ++v) {
-    const std::vector<Exact_rational>& breaks = source.breaks(static_cast<int>(v));
+  part_lower.reserve(cell.size());
+  part_upper.reserve(cell.size());
+  for (int v = 0; v < static_cast<int>(cell.size()); ++v) {
+    const auto& [lower, upper] = range(v);
+    const std::vector<Exact_rational>& breaks = source.breaks(v);
     const bool has_breaks = breaks.size() > 2;
     const bool is_first = !has_breaks || cell[v] == 0, is_last = !has_breaks || cell[v] + 2 == static_cast<int>(breaks.size());
-    const Exact_rational& begin = is_first ? lower[v] : (std::max)(lower[v], breaks[cell[v]]);
-    const Exact_rational& end = is_last ? upper[v] : (std::min)(upper[v], breaks[cell[v] + 1]);
+    const Exact_rational& begin = is_first ? lower : (std::max)(lower, breaks[cell[v]]);
+    const Exact_rational& end = is_last ? upper : (std::min)(upper, breaks[cell[v] + 1]);
     const auto [from, to] = dyadic_hull<Coordinate>(begin, end, bits);
     part_lower.push_back(from);
     part_upper.push_back(to);
   }
-  return {part_lower, part_upper};
+  return {std::move(part_lower), std::move(part_upper)};
 }
 
 // Calls visit(cell, lower, upper) for every cell that a box meets, with the part of the box in that cell.
@@ -76,8 +76,9 @@ template <class Coordinate, class Visitor>
 void visit_cell_boxes(Exact_source& source, const std::vector<Exact_rational>& lower, const std::vector<Exact_rational>& upper, int bits,
                       const Visitor& visit)
 {
+  const auto range = [&](int v) { return std::pair<const Exact_rational&, const Exact_rational&>(lower[v], upper[v]); };
   source.visit_cells(std::span<const Exact_rational>(lower), std::span<const Exact_rational>(upper), [&](const Cell& cell) {
-    const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source, cell, lower, upper, bits);
+    const auto [part_lower, part_upper] = part_in_cell<Coordinate>(source, cell, range, bits);
     visit(cell, part_lower, part_upper);
   });
 }

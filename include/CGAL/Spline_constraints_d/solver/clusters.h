@@ -24,6 +24,7 @@ template <class Coordinate>
 typename Solution_d<Coordinate>::Box make_box(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
 {
   typename Solution_d<Coordinate>::Box box;
+  box.reserve(lower.size());
   for (std::size_t j = 0; j < lower.size(); ++j)
     box.emplace_back(lower[j], upper[j]);
   return box;

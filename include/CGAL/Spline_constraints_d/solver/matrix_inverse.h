@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MATRIX_INVERSE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MATRIX_INVERSE_H
 
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -12,12 +14,11 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-/*
-The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
-false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` is destroyed.
-*/
-inline bool invert(int n, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
+// `size` is the number of rows when that is known to the compiler, else 0.
+template <int size>
+bool invert_fixed(int rows, double* work, double* inverse, double least_pivot)
 {
+  const int n = size > 0 ? size : rows;
   double largest = 0;
   for (int i = 0; i < n * n; ++i) {
     largest = std::abs(work[i]) > largest ? std::abs(work[i]) : largest;
@@ -47,6 +48,17 @@ inline bool invert(int n, std::vector<double>& work, std::vector<double>& invers
         }
   }
   return true;
+}
+
+/*
+The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
+false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` is destroyed.
+*/
+inline bool invert(int size, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
+{
+  bool is_regular = false;
+  run_with_constant<4>(size, [&](auto constant) { is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot); });
+  return is_regular;
 }
 
 /*

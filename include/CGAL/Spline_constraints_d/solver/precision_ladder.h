@@ -39,7 +39,7 @@ class Precision_ladder
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
   Exact_source& m_source;
-  const Root_collection<double>& m_known;
+  const Found_roots<double>& m_known;
   Solver_options m_options;
   Run_control& m_control;
   Summary& m_summary;
@@ -49,7 +49,7 @@ class Precision_ladder
   static constexpr std::size_t m_budget = 5000;
 
 public:
-  Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Root_collection<double>& known,
+  Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Found_roots<double>& known,
                    const Solver_options& options, Run_control& control, Summary& summary)
     : m_system(system), m_layout(layout), m_source(source), m_known(known), m_options(options), m_control(control), m_summary(summary),
       m_node_limit(summary.nodes + m_budget)

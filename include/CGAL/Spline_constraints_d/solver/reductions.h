@@ -105,8 +105,11 @@ private:
   // 2 when it misses zero. The crossing is on an edge from a layer before the first that reaches zero to that one or a later one.
   double crossing(int degree, std::size_t members, std::size_t member, double add_lower, double add_upper, bool is_reversed) const
   {
-    const auto lower = [&](int k) { return m_lower[(is_reversed ? degree - k : k) * members + member] + add_lower; };
-    const auto upper = [&](int k) { return m_upper[(is_reversed ? degree - k : k) * members + member] + add_upper; };
+    const std::ptrdiff_t step = is_reversed ? -static_cast<std::ptrdiff_t>(members) : static_cast<std::ptrdiff_t>(members);
+    const std::size_t first = member + (is_reversed ? degree * members : 0);
+    const double *from_lower = m_lower + first, *from_upper = m_upper + first;
+    const auto lower = [&](int k) { return from_lower[k * step] + add_lower; };
+    const auto upper = [&](int k) { return from_upper[k * step] + add_upper; };
     if (lower(0) <= 0 && upper(0) >= 0)
       return 0;
     const bool is_above = lower(0) > 0;

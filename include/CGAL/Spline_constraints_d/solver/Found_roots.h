@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FOUND_ROOTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FOUND_ROOTS_H
+
+#include <CGAL/Spline_constraints_d/solver/Root_position.h>
+#include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A root that was found: its tight enclosure, and a region around it that holds no other root of the equalities.
+template <class Coordinate>
+struct Found_root
+{
+  Root_enclosure<Coordinate> enclosure;
+  std::vector<Coordinate> lower, upper;   // the region
+  Position position;
+};
+
+/*
+The regular roots found so far, each once: a root on a face that several boxes share is found from each of them. Two finds are the same root when the
+enclosure of one lies in the region of the other; no tolerance is involved.
+*/
+template <class Coordinate>
+class Found_roots
+{
+  std::vector<Found_root<Coordinate>> m_roots;
+  const std::vector<Found_root<Coordinate>>* m_others;   // null: none
+
+public:
+  // `others`: roots that are known from elsewhere, to be counted there.
+  explicit Found_roots(const std::vector<Found_root<Coordinate>>* others = nullptr) : m_others(others) {}
+
+  std::vector<Found_root<Coordinate>>& roots() { return m_roots; }
+  const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
+
+  // A known root whose enclosure meets another one.
+  const Found_root<Coordinate>* root_that_meets(const Root_enclosure<Coordinate>& enclosure) const
+  {
+    return find([&](const Found_root<Coordinate>& root) {
+      for (std::size_t j = 0; j < enclosure.lower.size(); ++j)
+        if (root.enclosure.upper[j] < enclosure.lower[j] || enclosure.upper[j] < root.enclosure.lower[j])
+          return false;
+      return true;
+    });
+  }
+
+  // The box lies in the region of a known root.
+  bool is_covered(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper) const
+  {
+    return find([&](const Found_root<Coordinate>& root) { return contains(root.lower, root.upper, lower, upper); }) != nullptr;
+  }
+
+  // An enclosure lies in a known region, or its region holds the enclosure of a known root, which then is the same.
+  bool is_known(const Root_enclosure<Coordinate>& enclosure, const std::vector<Coordinate>& region_lower, const std::vector<Coordinate>& region_upper) const
+  {
+    if (is_covered(enclosure.lower, enclosure.upper))
+      return true;
+    const auto* known = root_that_meets(enclosure);
+    return known != nullptr && contains(region_lower, region_upper, known->enclosure.lower, known->enclosure.upper);
+  }
+  bool is_known(const Found_root<Coordinate>& root) const { return is_known(root.enclosure, root.lower, root.upper); }
+
+private:
+  template <class Predicate>
+  const Found_root<Coordinate>* find(const Predicate& is_wanted) const
+  {
+    for (const auto* roots : {m_others, &m_roots})
+      if (roots != nullptr)
+        for (const Found_root<Coordinate>& root : *roots)
+          if (is_wanted(root))
+            return &root;
+    return nullptr;
+  }
+
+  static bool contains(const std::vector<Coordinate>& outer_lower, const std::vector<Coordinate>& outer_upper,
+                       const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
+  {
+    for (std::size_t j = 0; j < lower.size(); ++j)
+      if (lower[j] < outer_lower[j] || outer_upper[j] < upper[j])
+        return false;
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FOUND_ROOTS_H
