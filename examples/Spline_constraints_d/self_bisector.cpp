@@ -25,18 +25,18 @@ K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 102
 int main()
 {
   try {
-    const Curve curve = Curve::from_periodic(3, {0, 1, 2, 3, 4, 5}, {{6, 1}, {1, 4}, {-6, 3}, {-5, -4}, {3, -3}});
+    const Curve curve = Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6}, {{8, 1}, {1, 2}, {-4, 7}, {-3, 0}, {-5, -6}, {2, -2}});
     const auto bisector = SC::self_bisector_curves(curve);
     std::cout << bisector << '\n';
 
     std::ofstream file("self_bisector.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(-7, -6, 7, 6), 700);
+    SC::SVG_writer picture(file, CGAL::Bbox_2(-6, -6, 7, 6), 700);
     std::vector<K::Point_2> ends;
     for (const auto& part : bisector.curves()) {
       std::vector<K::Point_2> points;
       const auto samples = bisector.polyline(part, 5e-3, 20);
       for (const auto& sample : samples) {
-        if (points.size() % 10 == 5)   // the radii of some circles
+        if (points.size() % 8 == 4 && CGAL::do_overlap(sample.point.bbox(), curve.bbox()))   // the radii of some circles
           picture.curve(SC::polyline_curve(std::vector<K::Point_2>{rounded(curve(sample.parameters[0])), rounded(sample.point), rounded(curve(sample.parameters[1]))}), "#bbb", 1);
         points.push_back(rounded(sample.point));
       }

@@ -7,6 +7,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/bitangents_2.h>
 #include <CGAL/Spline_constraints_d/operations/curve_features_2.h>
 #include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
 
@@ -55,13 +56,26 @@ std::vector<double> errors_on_diagonal(const Locus& locus, const Curve& c)
   return result;
 }
 
-std::size_t vertices_inside(const Curve& c)
+// Those that are not ends of an open curve.
+std::size_t number_of_vertices(const Curve& c)
 {
   const auto extremes = SC::curvature_extremes(c).features;
   return static_cast<std::size_t>(std::count_if(extremes.begin(), extremes.end(), [&](const auto& extreme) {
-    return (extreme.kind() == SC::Curve_feature_kind::MAXIMUM || extreme.kind() == SC::Curve_feature_kind::MINIMUM) && c.domain().first < extreme.point_on_curve().parameter_range().first &&
-           extreme.point_on_curve().parameter_range().second < c.domain().second;
+    const auto& [begin, end] = extreme.point_on_curve().parameter_range();
+    return (extreme.kind() == SC::Curve_feature_kind::MAXIMUM || extreme.kind() == SC::Curve_feature_kind::MINIMUM) && (c.is_closed() || (c.domain().first < begin && end < c.domain().second));
   }));
+}
+
+// One end on the diagonal for each vertex, in its center of curvature; and a pole for each line that touches the curve twice.
+void check_topology(const Locus& locus, const Curve& curve)
+{
+  EXPECT_TRUE(locus.is_complete()) << locus;
+  check_points(locus, curve, [](double, double) {});
+  const std::vector<double> errors = errors_on_diagonal(locus, curve);
+  EXPECT_EQ(errors.size(), number_of_vertices(curve));
+  for (const double error : errors)
+    EXPECT_NEAR(error, 0, 1e-9);
+  EXPECT_EQ(locus.number_of_poles(), SC::bitangents(curve).bitangents.size());
 }
 
 } // namespace
@@ -112,7 +126,7 @@ TEST(Self_bisector_curves_2, circles_and_lines)
   expect_numbers(SC::self_bisector_curves(SC::polyline_curve(std::vector<Point>{{0, 0}, {3, 1}})), 0, 0, 0, 0);
 }
 
-// The bisectors of the angles of a triangle: the neighbours' ones begin in the corners, and there are as many curves as are cut at the sides of triangles and rectangles.
+// The bisectors of the angles of a triangle, which begin in the corners.
 TEST(Self_bisector_curves_2, triangle)
 {
   const std::vector<Point> corners{{0, 0}, {4, 0}, {1, 3}, {0, 0}};
@@ -120,45 +134,45 @@ TEST(Self_bisector_curves_2, triangle)
   const Locus locus = SC::self_bisector_curves(triangle);
   EXPECT_TRUE(locus.is_complete()) << locus;
   std::array<double, 3> nearest{9, 9, 9};
-  check_points(locus, triangle, [&](double x, double y) {
-    const std::array<double, 3> d{y, (12 - 3 * x - 3 * y) / std::sqrt(18.0), (3 * x - y) / std::sqrt(10.0)};
-    EXPECT_NEAR((d[0] * d[0] - d[1] * d[1]) * (d[1] * d[1] - d[2] * d[2]) * (d[2] * d[2] - d[0] * d[0]), 0, 1e-9);
-    for (std::size_t i = 0; i < 3; ++i)
-      nearest[i] = (std::min)(nearest[i], std::hypot(x - rounded(corners[i])[0], y - rounded(corners[i])[1]));
-  });
+  for (const Locus::Curve& curve : locus.curves())
+    for (const auto& sample : locus.polyline(curve, 1e-2, 10)) {
+      const auto [x, y] = rounded(sample.point);
+      const std::array<double, 3> d{y, (12 - 3 * x - 3 * y) / std::sqrt(18.0), (3 * x - y) / std::sqrt(10.0)};
+      EXPECT_NEAR((d[0] * d[0] - d[1] * d[1]) * (d[1] * d[1] - d[2] * d[2]) * (d[2] * d[2] - d[0] * d[0]), 0, 1e-9);
+      for (std::size_t i = 0; i < 3; ++i)
+        nearest[i] = (std::min)(nearest[i], std::hypot(x - rounded(corners[i])[0], y - rounded(corners[i])[1]));
+    }
   for (const double distance : nearest)
     EXPECT_NEAR(distance, 0, 1e-12);
 }
 
-// One end on the diagonal for each vertex of the curve, with the center of curvature; rational rigid motions change no numbers.
+// Rational rigid motions change no numbers.
 TEST(Self_bisector_curves_2, random_cubics)
 {
   std::mt19937 random(4);
   const K::Aff_transformation_2 motion(SC::Exact_rational(3, 5), SC::Exact_rational(-4, 5), 2, SC::Exact_rational(4, 5), SC::Exact_rational(3, 5), -1);
-  std::size_t ends = 0;
+  std::size_t ends = 0, poles = 0;
   for (int trial = 0; trial < 8; ++trial) {
     const Curve curve = SC::bezier_curve(random_points(random, 8));
     const Locus locus = SC::self_bisector_curves(curve);
-    EXPECT_TRUE(locus.is_complete()) << locus;
     expect_numbers(SC::self_bisector_curves(curve.transformed(motion)), locus.number_of_closed_curves(), locus.number_of_open_curves(), locus.singular_points().size(), locus.number_of_poles());
-    check_points(locus, curve, [](double, double) {});
-    const std::vector<double> errors = errors_on_diagonal(locus, curve);
-    EXPECT_EQ(errors.size(), vertices_inside(curve));
-    for (const double error : errors)
-      EXPECT_NEAR(error, 0, 1e-9);
-    ends += errors.size();
+    check_topology(locus, curve);
+    ends += number_of_vertices(curve);
+    poles += locus.number_of_poles();
   }
   EXPECT_GT(ends, 8u);
+  EXPECT_GT(poles, 0u);
 }
 
-// A cubic spline of three pieces, and one with the same parabola in two pieces.
+// An open and a closed cubic spline, whose curvature is continuous; the parabola in two pieces.
 TEST(Self_bisector_curves_2, splines)
 {
   const Curve spline(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, std::vector<Point>{{0, 0}, {1, 4}, {3, -3}, {5, 4}, {6, 1}, {8, 2}});
-  const Locus locus = SC::self_bisector_curves(spline);
-  EXPECT_TRUE(locus.is_complete()) << locus;
-  check_points(locus, spline, [](double, double) {});
-  EXPECT_GT(errors_on_diagonal(locus, spline).size(), 2u);
+  check_topology(SC::self_bisector_curves(spline), spline);
+  EXPECT_GT(number_of_vertices(spline), 2u);
+  const Curve closed = Curve::from_periodic(3, {0, 1, 2, 3, 4}, {{6, 1}, {1, 5}, {-4, 1}, {2, 0}});
+  check_topology(SC::self_bisector_curves(closed), closed);
+  EXPECT_GE(number_of_vertices(closed), 4u);   // the theorem of the four vertices
 
   const Curve parabola = SC::bezier_curve(std::vector<Point>{{-1, 1}, {0, -1}, {1, 1}}).with_knot(SC::Exact_rational(1, 3)).with_knot(SC::Exact_rational(1, 3));
   const Locus axis = SC::self_bisector_curves(parabola);

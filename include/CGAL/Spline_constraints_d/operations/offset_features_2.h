@@ -49,6 +49,8 @@ inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_o
     const auto [u] = parameters(pieces[i].map());
     const Vector_expression<2> tangent = pieces[i](1, u);
     const Expression turn = r * determinant(tangent, pieces[i](2, u));
+    if (turn.numerator().is_zero())
+      continue;   // a segment
     std::vector<Constraint> constraints{turn * turn == pow(squared_norm(tangent), 3), turn > 0};
     if ((i + 1 < pieces.size() || is_closed) && is_cusp_at_begin(pieces[(i + 1) % pieces.size()]))
       constraints.push_back(u < pieces[i].end());   // it is found there
