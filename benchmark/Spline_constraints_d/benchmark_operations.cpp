@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many pieces, and of splines and polylines with themselves; curves of
-// solutions; intersection curves of surfaces; bisectors and envelopes.
+// solutions; intersection curves of surfaces; bisectors, alpha-sectors and envelopes.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/alpha_sectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/self_intersections.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
@@ -192,6 +194,8 @@ void locus_of_two_cubics(benchmark::State& state, const Operation& operation)
 }
 
 const auto bisector = [](const Curve& a, const Curve& b) { return SC::bisector_curves(a, b); };
+const auto alpha_sector = [](const Curve& a, const Curve& b) { return SC::alpha_sectors(a, b, K::FT(1) / 4); };
+const auto self_bisector = [](const Curve& a, const Curve&) { return SC::self_bisector_curves(a); };
 const auto envelope = [](const Curve& a, const Curve& b) { return SC::envelope_curves(a, b); };
 
 const Surface humps = bicubic_surface(1, 0, 0), rough_humps = bicubic_surface(1, 1, 0), rough_plane = bicubic_surface(0, 1, 19);
@@ -207,6 +211,8 @@ BENCHMARK(polyline_with_itself)->Arg(100)->Arg(1000)->Unit(benchmark::kMilliseco
 BENCHMARK(chebyshev_contours)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK(sphere_and_cylinder)->ArgName("2c")->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(locus_of_two_cubics, bisector, bisector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, alpha_sector, alpha_sector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(locus_of_two_cubics, self_bisector, self_bisector)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(locus_of_two_cubics, envelope, envelope)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(surface_intersection, bicubic_and_plane, humps, K::Plane_3(0, 0, 1, -19))->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(surface_intersection, height_fields, rough_humps, rough_plane)->ArgName("polylines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

@@ -35,19 +35,16 @@ int main()
     for (const auto& part : bisector.curves()) {
       std::vector<K::Point_2> points;
       const auto samples = bisector.polyline(part, 5e-3, 20);
-      for (const auto& sample : samples) {
-        if (points.size() % 8 == 4 && CGAL::do_overlap(sample.point.bbox(), curve.bbox()))   // the radii of some circles
-          picture.curve(SC::polyline_curve(std::vector<K::Point_2>{rounded(curve(sample.parameters[0])), rounded(sample.point), rounded(curve(sample.parameters[1]))}), "#bbb", 1);
+      for (const auto& sample : samples)
         points.push_back(rounded(sample.point));
-      }
       for (const auto* sample : {&samples.front(), &samples.back()})
         if (sample->parameters[0] == sample->parameters[1])
-          ends.push_back(sample->point);
+          ends.push_back(rounded(sample->point));
       picture.curve(SC::polyline_curve(points), "#d62728", 2);
     }
     picture.curve(curve, "black", 4);
     for (const K::Point_2& end : ends)
-      picture.point(end, "#1f77b4");
+      picture.point(end, "#1f77b4", 9);
     return bisector.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {
     std::cerr << error.what() << '\n';

@@ -115,6 +115,16 @@ TEST(Bisector_curves_2, random_cubics_and_motions)
   EXPECT_GT(curves, 8u);
 }
 
+// The circles intersect at the seam of the first one, where two branches of the bisector cross: what is not proved there is listed.
+TEST(Bisector_curves_2, crossing_on_a_seam)
+{
+  const Curve first = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 1)), second = SC::to_bspline_curve(K::Circle_2(Point(1, -1), 1));
+  ASSERT_EQ(first.source(), Point(1, 0));
+  const Locus locus = SC::bisector_curves(first, second, {.tolerance = 1e-3});
+  EXPECT_FALSE(locus.is_complete());
+  EXPECT_FALSE(locus.undecided().empty());
+}
+
 TEST(Bisector_curves_2, bad_input)
 {
   const Curve c = SC::polyline_curve(std::vector<Point>{{-1, 0}, {1, 0}}), d = SC::polyline_curve(std::vector<Point>{{-1, 1}, {1, 1}});
