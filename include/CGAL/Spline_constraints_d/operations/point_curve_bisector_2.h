@@ -130,7 +130,9 @@ Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& p
     std::vector<Point_curve_bisector_2::Range> ranges;
     for (const Solution_d<double>& pole : poles) {
       ranges.push_back(pole.exact_box()[0]);
-      (pole.kind() == Solution_kind::UNDECIDED ? result.undecided : result.poles).push_back(ranges.back());
+      auto& known = pole.kind() == Solution_kind::UNDECIDED ? result.undecided : result.poles;
+      if (known.empty() || known.back() != ranges.back())   // one at a break belongs to both pieces
+        known.push_back(ranges.back());
     }
     std::sort(ranges.begin(), ranges.end());
     ranges.emplace_back(piece.end(), piece.end());
