@@ -20,7 +20,7 @@ inline Power_polynomial numerator_polynomial(const Expression& formula)
 {
   if (formula.numerator().is_constant())
     return formula.numerator();
-  const Formula_expansion expansion(*formula.symbols(), formula.numerator());
+  const Formula_expansion expansion(*formula.symbols(), formula.symbols()->without_formulas(formula.numerator()));
   return polynomial_of_piece(expansion.scaled_term(), 0);
 }
 
