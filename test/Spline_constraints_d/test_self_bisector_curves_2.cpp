@@ -39,14 +39,14 @@ void check_points(const Locus& locus, const Curve& curve, const Check& check)
   });
 }
 
-// The ends of curves on the diagonal, with the errors of their distances from the centers of curvature.
+// The ends of curves on the diagonal, which includes the seam of a closed curve, with the errors of their distances from the centers of curvature.
 std::vector<double> errors_on_diagonal(const Locus& locus, const Curve& c)
 {
   std::vector<double> result;
   for (const Locus::Curve& curve : locus.curves()) {
     const auto samples = locus.polyline(curve, 1e-2, 10);
     for (const auto* sample : {&samples.front(), &samples.back()})
-      if (const auto [u, v] = sample->parameters; u == v) {
+      if (const auto [u, v] = sample->parameters; u == v || (c.is_closed() && u == c.domain().first && v == c.domain().second)) {
         const auto derivatives = c.derivatives(u, 2);
         const SC::Exact_rational factor(derivatives[1].squared_length() / (derivatives[1].x() * derivatives[2].y() - derivatives[1].y() * derivatives[2].x()));
         const Vector center = rounded(Point(c(u).x() - factor * derivatives[1].y(), c(u).y() + factor * derivatives[1].x())), p = rounded(sample->point);
@@ -147,13 +147,13 @@ TEST(Self_bisector_curves_2, triangle)
 }
 
 // Rational rigid motions change no numbers.
-TEST(Self_bisector_curves_2, random_cubics)
+TEST(Self_bisector_curves_2, random_cubics_and_quartics)
 {
   std::mt19937 random(4);
   const K::Aff_transformation_2 motion(SC::Exact_rational(3, 5), SC::Exact_rational(-4, 5), 2, SC::Exact_rational(4, 5), SC::Exact_rational(3, 5), -1);
   std::size_t ends = 0, poles = 0;
   for (int trial = 0; trial < 8; ++trial) {
-    const Curve curve = SC::bezier_curve(random_points(random, 8));
+    const Curve curve = SC::bezier_curve(random_points(random, 8, trial % 2 == 0 ? 4 : 5));
     const Locus locus = SC::self_bisector_curves(curve);
     expect_numbers(SC::self_bisector_curves(curve.transformed(motion)), locus.number_of_closed_curves(), locus.number_of_open_curves(), locus.singular_points().size(), locus.number_of_poles());
     check_topology(locus, curve);
