@@ -147,21 +147,19 @@ TEST(Self_bisector_curves_2, triangle)
 }
 
 // Rational rigid motions change no numbers.
-TEST(Self_bisector_curves_2, random_cubics_and_quartics)
+TEST(Self_bisector_curves_2, random_cubics)
 {
   std::mt19937 random(4);
   const K::Aff_transformation_2 motion(SC::Exact_rational(3, 5), SC::Exact_rational(-4, 5), 2, SC::Exact_rational(4, 5), SC::Exact_rational(3, 5), -1);
-  std::size_t ends = 0, poles = 0;
+  std::size_t ends = 0;
   for (int trial = 0; trial < 8; ++trial) {
-    const Curve curve = SC::bezier_curve(random_points(random, 8, trial % 2 == 0 ? 4 : 5));
+    const Curve curve = SC::bezier_curve(random_points(random, 8));
     const Locus locus = SC::self_bisector_curves(curve);
     expect_numbers(SC::self_bisector_curves(curve.transformed(motion)), locus.number_of_closed_curves(), locus.number_of_open_curves(), locus.singular_points().size(), locus.number_of_poles());
     check_topology(locus, curve);
     ends += number_of_vertices(curve);
-    poles += locus.number_of_poles();
   }
   EXPECT_GT(ends, 8u);
-  EXPECT_GT(poles, 0u);
 }
 
 // An open and a closed cubic spline, whose curvature is continuous; the parabola in two pieces.
