@@ -162,6 +162,15 @@ TEST(Self_bisector_curves_2, random_cubics)
   EXPECT_GT(ends, 8u);
 }
 
+// A line touches it twice.
+TEST(Self_bisector_curves_2, quartic)
+{
+  const Curve curve = SC::bezier_curve(std::vector<Point>{{-3, 3}, {-2, -5}, {0, 6}, {2, -5}, {3, 4}});
+  const Locus locus = SC::self_bisector_curves(curve);
+  check_topology(locus, curve);
+  EXPECT_EQ(locus.number_of_poles(), 1u);
+}
+
 // An open and a closed cubic spline, whose curvature is continuous; the parabola in two pieces.
 TEST(Self_bisector_curves_2, splines)
 {
@@ -188,4 +197,6 @@ TEST(Self_bisector_curves_2, splines)
 TEST(Self_bisector_curves_2, bad_input)
 {
   EXPECT_THROW(SC::self_bisector_curves(ellipse(2, 1), {.tolerance = 0}), SC::Invalid_input);
+  const Curve cusp = SC::bezier_curve(std::vector<Point>{{3, 2}, {-5, -6}, {8, -5}, {-8, 3}, {-4, 7}});   // at 1/3
+  EXPECT_THROW(SC::self_bisector_curves(cusp), SC::Invalid_input);
 }

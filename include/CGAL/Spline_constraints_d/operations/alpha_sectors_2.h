@@ -4,14 +4,12 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ALPHA_SECTORS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_ALPHA_SECTORS_2_H
 
-#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace CGAL {
@@ -24,13 +22,6 @@ inline Double_pair point_of_alpha_sector(double ratio, const Pair_of_points& pai
   const Double_pair &a = pair.tangents[0], &b = pair.tangents[1], difference{ratio * b[1] - a[1], a[0] - ratio * b[0]};
   const double t = -dot(pair.chord, difference) / dot(difference, difference);
   return {pair.points[0][0] - t * a[1], pair.points[0][1] + t * a[0]};
-}
-
-// Of the length of the derivative.
-inline Exact_range speed_range(const Differentiated_map& curve)
-{
-  const Vector_formula<2> tangent = [&](std::span<const Unknown> u) { return curve(1, u[0]); };
-  return length_range<2>(tangent, {curve.map().domain(0)}, "alpha_sectors: the derivative of the curve");
 }
 
 } // namespace internal
@@ -72,7 +63,7 @@ Curve_pair_locus_2<typename C1::Kernel> alpha_sectors(const C1& c1, const C2& c2
   Curve_pair_locus_2<typename C1::Kernel> result([factor](const Pair_of_points& pair, const std::vector<double>& unknowns) { return point_of_alpha_sector(factor * unknowns[2], pair); });
   visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](Pair_of_parts parts, const Unknown&, const Unknown&) {
     std::erase_if(parts.closed_unknowns, [&](std::size_t k) { return !has_same_derivative(k == 0 ? parts.first : parts.second, k == 0 ? parts.first : parts.second); });
-    const Exact_rational bound = 2 * speed_range(parts.first).second / speed_range(parts.second).first;
+    const Exact_rational bound = 2 * speed_range(parts.first, "alpha_sectors").second / speed_range(parts.second, "alpha_sectors").first;
     const std::vector<Unknown> unknowns = unknowns_in({parts.first.map().domain(0), parts.second.map().domain(0), {Exact_rational(-bound), bound}});
     const Unknown &u = unknowns[0], &v = unknowns[1], &q = unknowns[2];
     const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u), b = parts.second(1, v);

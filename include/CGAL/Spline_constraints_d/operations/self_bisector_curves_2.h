@@ -62,7 +62,7 @@ A vertex at a break, or where another curve of the answer ends, may be undecided
 \tparam C a model of `ParametricCurve_2`; points of the result are those of its kernel.
 \param c the curve.
 \param options those of `solve_curves()`; limits hold for each two pieces.
-\throws Invalid_input when an option makes no sense.
+\throws Invalid_input when the derivative of the curve vanishes, or nearly so, or an option makes no sense.
 
 Complexity: that of `solve_curves()` with one equation in two unknowns and of `solve()` with two, for each two pieces, three or four times for neighbours. Source: \cgalCite{kes-gcps-05}, section 3 and figure 2b.
 */
@@ -74,6 +74,8 @@ Curve_pair_locus_2<typename C::Kernel> self_bisector_curves(const C& c, const So
   Summing_solver solve(options);
   const Planar_map curve(c);
   const std::vector<Differentiated_map> pieces = polynomial_pieces(curve, 2);
+  for (const Differentiated_map& piece : pieces)
+    speed_range(piece, "self_bisector_curves");   // where the derivative is zero, the equation is satisfied by all pairs with this point
   const bool is_closed = curve.is_closed();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     add_self_bisector(result, pieces[i], pieces[i], chart_of_piece(pieces[i]), options, solve);

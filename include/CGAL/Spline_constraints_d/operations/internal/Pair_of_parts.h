@@ -6,12 +6,15 @@
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +55,13 @@ struct Pair_of_parts
 
   Pair_of_points points(const std::vector<double>& unknowns) const { return pair_of_points(first, second, parameters(unknowns)); }
 };
+
+// A range of the length of the derivative. \throws Invalid_input when it may be zero; the message says where.
+inline Exact_range speed_range(const Differentiated_map& curve, const std::string& who)
+{
+  const Vector_formula<2> tangent = [&](std::span<const Unknown> u) { return curve(1, u[0]); };
+  return length_range<2>(tangent, {curve.map().domain(0)}, who + ": the derivative of the curve");
+}
 
 // Calls visit(parts, u, v) for each two smooth parts of two curves, whose parameters are the unknowns u and v.
 template <class Visit>
