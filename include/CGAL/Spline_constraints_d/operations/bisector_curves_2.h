@@ -42,7 +42,7 @@ which is equation (20) of \cgalCite{kes-gcps-05} with the center from (21) and (
 certified, and the curves are cut there.
 
 The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own. Ends of the curves and corners are not taken for sites here. Where two curves intersect, two branches of the bisector
-cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, and where a curve stands still, the bisector is undecided.
+cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, the bisector is undecided. Where the derivative of one is zero, all points of the other one satisfy the equation, with centers of circles that only pass through that point.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
