@@ -104,7 +104,9 @@ public:
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
-    m_summary.is_complete = m_summary.is_complete && set.is_complete() && joints.is_complete();
+    for (const std::size_t i : joints.unmatched())
+      m_undecided.push_back({{set.vertices()[i].box}, {i}, Undecided_reason::DOMAIN_BOUNDARY});
+    m_summary.is_complete = m_summary.is_complete && set.is_complete() && joints.unmatched().empty();
     for (auto line = lines.begin(); line != lines.end(); ++line) {
       m_curves.push_back(*line);
       m_curves.back().part = index;
@@ -127,10 +129,7 @@ public:
   const std::vector<Curve>& curves() const { return m_curves; }
 
   //! number of closed curves.
-  std::size_t number_of_closed_curves() const
-  {
-    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Curve& curve) { return curve.is_closed; }));
-  }
+  std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
@@ -168,19 +167,20 @@ public:
     if (!(error > 0))
       throw Invalid_input("Surface_curves_3: the error must be positive");
     const Part& part = m_parts[curve.part];
-    const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(m_point(from), m_point(between), m_point(to)) <= error; };
-    std::vector<std::vector<double>> unknowns;
-    if (curve.line)
-      append_line(unknowns, part.system, *curve.line, is_chord);
-    for (const Intersection_arc& arc : curve.arcs) {
-      std::vector<std::vector<double>> more = internal::curve_points(part.system, part.solutions, part.solutions.curves()[arc.index], is_chord);
-      if (arc.is_reversed)
-        std::reverse(more.begin(), more.end());
-      unknowns.insert(unknowns.end(), more.begin(), more.end());
-    }
+    const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) { return internal::distance_from_middle(from.image, sample.image, to.image) <= error; };
     std::vector<Sample> result;
-    for (std::vector<double>& values : unknowns)
-      result.push_back({point(values), std::move(values)});
+    const auto append = [&](const auto& samples) {
+      for (const auto& [unknowns, image] : samples)
+        result.push_back({internal::kernel_object<Kernel, Point>(image), unknowns});
+    };
+    if (curve.line)
+      append(line_samples(part.system, *curve.line, is_chord));
+    for (const Intersection_arc& arc : curve.arcs) {
+      auto samples = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], m_point, is_chord);
+      if (arc.is_reversed)
+        std::reverse(samples.begin(), samples.end());
+      append(samples);
+    }
     if (curve.is_closed)
       result.back().point = result.front().point;
     return result;
@@ -210,29 +210,30 @@ private:
   }
 
   template <class Is_chord>
-  static void append_line(std::vector<std::vector<double>>& points, const Constraint_system_d& system, const Constant_parameter& line, const Is_chord& is_chord)
+  auto line_samples(const Constraint_system_d& system, const Constant_parameter& line, const Is_chord& is_chord) const
   {
     constexpr int pieces = 16;
     const auto& [begin, end] = system.domain(1 - line.axis);
     const auto at = [&, first = CGAL::to_double(begin), last = CGAL::to_double(end)](double share) {
-      std::vector<double> result(2, CGAL::to_double(line.value));
-      result[static_cast<std::size_t>(1 - line.axis)] = first + share * (last - first);
-      return result;
+      std::vector<double> unknowns(2, CGAL::to_double(line.value));
+      unknowns[static_cast<std::size_t>(1 - line.axis)] = first + share * (last - first);
+      return internal::Curve_sample<decltype(m_point(unknowns))>{unknowns, m_point(unknowns)};
     };
-    points.push_back(at(0));
+    std::vector result{at(0)};
     for (int i = 0; i < pieces; ++i)
-      append_chords(points, at, i / double(pieces), (i + 1) / double(pieces), is_chord);
+      append_chords(result, at, i / double(pieces), (i + 1) / double(pieces), is_chord);
+    return result;
   }
 
-  template <class At, class Is_chord>
-  static void append_chords(std::vector<std::vector<double>>& points, const At& at, double begin, double end, const Is_chord& is_chord)
+  template <class Samples, class At, class Is_chord>
+  static void append_chords(Samples& samples, const At& at, double begin, double end, const Is_chord& is_chord)
   {
     const double middle = (begin + end) / 2;
     if (!(begin < middle && middle < end) || is_chord(at(begin), at(middle), at(end)))
-      points.push_back(at(end));
+      samples.push_back(at(end));
     else {
-      append_chords(points, at, begin, middle, is_chord);
-      append_chords(points, at, middle, end, is_chord);
+      append_chords(samples, at, begin, middle, is_chord);
+      append_chords(samples, at, middle, end, is_chord);
     }
   }
 };
