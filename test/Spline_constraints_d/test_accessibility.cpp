@@ -3,11 +3,11 @@
 
 // Boundaries of what a tool can reach: the exact shadows of spheres, patches, walls and cylinders on a plane, spheres beside their surfaces along normals, hemispheres of directions.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/accessibility.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -18,19 +18,11 @@
 #include <string>
 #include <vector>
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Curves = SC::Surface_curves_3<K>;
 
 namespace {
 
 constexpr double tiny = 1e-9;
-
-double length(const Vector& v) { return std::sqrt(CGAL::to_double(v.squared_length())); }
 
 const Surface plane = SC::bilinear_surface<K>(Point(-4, -4, 0), Point(-4, 4, 0), Point(4, -4, 0), Point(4, 4, 0));
 const Vector up(0, 0, 1);

@@ -3,10 +3,10 @@
 
 // Curves of intersection of two surfaces: known sections of quadrics and tori, height fields, contacts, seams, small loops, rigid motions, random height fields against an independent count.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -19,12 +19,6 @@
 #include <utility>
 #include <vector>
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Intersection = SC::Surface_intersection<K>;
 
 static_assert(!SC::internal::Surface_pair<K::Plane_3, K::Plane_3>);

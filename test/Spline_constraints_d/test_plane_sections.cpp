@@ -3,11 +3,11 @@
 
 // Plane sections and contour lines: levels of a torus and a sphere, among them those along breaks and poles, height fields beside `intersection_curves()`.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/plane_sections.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,6 @@
 #include <random>
 #include <utility>
 #include <vector>
-
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 
 namespace {
 

@@ -3,11 +3,11 @@
 
 // Silhouettes: circles of spheres, lines of cylinders and cones, those of a torus by direction, random patches against the signs along their edges, rotations, creases.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/silhouettes.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -19,19 +19,11 @@
 #include <string>
 #include <vector>
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Curves = SC::Surface_curves_3<K>;
 
 namespace {
 
 constexpr double tiny = 1e-9;
-
-double length(const Vector& v) { return std::sqrt(CGAL::to_double(v.squared_length())); }
 
 Vector line_of_sight(const Point&, const Vector& direction) { return direction; }
 Vector line_of_sight(const Point& p, const Point& eye) { return eye - p; }

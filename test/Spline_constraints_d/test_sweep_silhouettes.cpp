@@ -3,10 +3,10 @@
 
 // Silhouettes of the envelopes of moving surfaces: of spheres, which touch known tubes, along lines, an arc and a path with a corner, growing ones, and rotations.
 
+#include "surface_test_names.h"
+
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -14,20 +14,12 @@
 #include <cstddef>
 #include <vector>
 
-namespace SC = CGAL::Spline_constraints;
-using Rational = SC::Exact_rational;
-using K = CGAL::Simple_cartesian<Rational>;
-using Point = K::Point_3;
-using Vector = K::Vector_3;
-using Surface = SC::Bspline_surface_3<K>;
 using Curve = SC::Bspline_curve_3<K>;
 using Curves = SC::Surface_curves_3<K>;
 
 namespace {
 
 constexpr double tiny = 1e-9;
-
-double length(const Vector& v) { return std::sqrt(CGAL::to_double(v.squared_length())); }
 
 // Its poles are in no special position.
 const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), Point(Rational(2, 7), Rational(3, 7), Rational(6, 7)));

@@ -57,16 +57,16 @@ inline Exact_range positive_bounds(const Expression_bounds& formula, const Unkno
   return hull_of(positive_bounds(formula, first, what, depth + 1), positive_bounds(formula, second, what, depth + 1));
 }
 
-// Powers of two around the square roots of the numbers in a range. \pre the range is positive
+// Powers of two around the square roots of the numbers in a range, none of which is one of its ends: curves of solutions could lie in the boundary of the domain there. \pre the range is positive
 inline Exact_range root_range_in_powers_of_two(const Exact_range& squares)
 {
   Exact_range result(1, 1);
-  while (result.first * result.first > squares.first)
+  while (result.first * result.first >= squares.first)
     result.first /= 2;
-  while (4 * result.first * result.first <= squares.first)
+  while (4 * result.first * result.first < squares.first)
     result.first *= 2;
   result.second = result.first;
-  while (result.second * result.second < squares.second)
+  while (result.second * result.second <= squares.second)
     result.second *= 2;
   return result;
 }
