@@ -175,8 +175,10 @@ private:
       if (Node_view* combined = is_worth_a_pass(node) ? nullptr : combined_equalities())
         if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
           return;
-      if (is_worth_a_pass(node) && shrink(node, box))
+      if (is_worth_a_pass(node) && shrink(node, box)) {
+        std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });   // of which nothing was proved: there is none
         continue;
+      }
       if (has_singular_point(node, box, vertices, depth))
         return;
       std::optional<Split> split = split_of(node, box, vertices);
