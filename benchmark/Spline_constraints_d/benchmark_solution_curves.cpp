@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is done with a curve of solutions: derivatives at a point, extremes, fitted splines and arrangements. The curve is the quartic of the example curve_geometry.
+// Curves of solutions with their topology, and what is done with them: derivatives at a point, extremes, fitted splines and arrangements; there the curve is the quartic of the example curve_geometry.
 
 #include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
@@ -29,6 +29,47 @@ std::vector<SC::Constraint> quartic()
 {
   const auto& [x, y] = xy();
   return {square(x*x + y*y) - 2*(x*x - y*y) + x*y/2 - x/4 == SC::Exact_rational(1, 2)};
+}
+
+SC::Constraint_system_d sphere_and_cylinder(const SC::Exact_rational& distance)
+{
+  auto [x, y, z] = SC::unknowns({-3, 6}, {-3, 3}, {-3, 3});
+  return SC::make_system(std::array{x*x + y*y + z*z == 4, square(x - distance) + y*y == 1});
+}
+
+// T_d(x) T_d(y) = 1/2, with d a power of two.
+SC::Constraint_system_d chebyshev_product(int degree)
+{
+  auto [x, y] = SC::unknowns({-1, 1}, {-1, 1});
+  SC::Expression tx = x, ty = y;
+  for (int d = 1; d < degree; d *= 2) {
+    tx = 2 * square(tx) - 1;
+    ty = 2 * square(ty) - 1;
+  }
+  return SC::make_system(std::array{tx * ty == SC::Exact_rational(1, 2)});
+}
+
+// Of radii 1 and 1/3; the second one is moved along the axis, or along the axis of the first one and turned.
+SC::Constraint_system_d two_tori(const SC::Exact_rational& distance, bool is_turned)
+{
+  auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const auto torus = [](const auto& a, const auto& b, const auto& c) {
+    return square(square(a) + square(b) + square(c) + SC::Exact_rational(8, 9)) == 4 * (square(a) + square(b));
+  };
+  return SC::make_system(std::array{torus(x, y, z), is_turned ? torus(y, z, x - distance) : torus(x, y, z - distance)});
+}
+
+// (u, v, f(u, v)) = (s, g(s, t), t).
+SC::Constraint_system_d two_graphs()
+{
+  auto [u, v, s, t] = SC::unknowns({0, 1}, {0, 1}, {0, 1}, {0, 1});
+  return SC::make_system(std::array{u == s, v == 3*s*(1 - s)*t*(1 - t) + SC::Exact_rational(1, 4) + s*t*t/5, 4*u*(1 - u)*v*(1 - v) + u*u*v/3 == t});
+}
+
+void solve_curves(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  for (auto _ : state)
+    state.counters["nodes"] = static_cast<double>(SC::solve_curves(system).summary().nodes);
 }
 
 void differentials_at_a_point(benchmark::State& state)
@@ -81,6 +122,14 @@ void arrangement(benchmark::State& state)
   state.counters["edges"] = static_cast<double>(edges);
 }
 
+BENCHMARK_CAPTURE(solve_curves, two_ovals, sphere_and_cylinder(SC::Exact_rational(1, 2)))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, figure_eight, sphere_and_cylinder(1))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, chebyshev_4, chebyshev_product(4))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, chebyshev_8, chebyshev_product(8))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, chebyshev_16, chebyshev_product(16))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, turned_tori, two_tori(SC::Exact_rational(1, 3), true))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve_curves, two_graphs, two_graphs())->Unit(benchmark::kMillisecond);
 BENCHMARK(differentials_at_a_point)->Unit(benchmark::kMicrosecond);
 BENCHMARK(differentials_at_a_vertex)->Unit(benchmark::kMicrosecond);
 BENCHMARK(turning_points)->Unit(benchmark::kMillisecond);
