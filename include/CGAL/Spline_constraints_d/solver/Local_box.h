@@ -33,7 +33,7 @@ struct Local_box
   //! makes an axis at least so wide, around its middle, but no wider than the node.
   void widen(int j, double least)
   {
-    if (width(j) >= least)
+    if (!(width(j) < least))
       return;
     const double middle = 0.5 * (lower[j] + upper[j]);
     lower[j] = (std::max)(-0.5, middle - 0.5 * least);

@@ -344,12 +344,7 @@ private:
     constexpr double least_gain = 0.1, thinnest = 0x1p-10;
     double volume = 1;
     for (int j = 0; j < m_layout.dimension; ++j) {
-      const double least = (std::max)(thinnest, finest_width(node, j) / width(node, j));
-      if (m_box.width(j) < least) {
-        const double centre = 0.5 * (m_box.lower[j] + m_box.upper[j]);
-        m_box.lower[j] = (std::max)(-0.5, centre - 0.5 * least);
-        m_box.upper[j] = (std::min)(0.5, centre + 0.5 * least);
-      }
+      m_box.widen(j, (std::max)(thinnest, finest_width(node, j) / width(node, j)));
       if (m_box.width(j) <= 1 - least_gain)
         volume *= m_box.width(j);
     }
