@@ -4,12 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CIRCLE_EMPTINESS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CIRCLE_EMPTINESS_H
 
-#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/number/Number_traits.h>
-#include <CGAL/Spline_constraints_d/number/Number_traits_interval.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 
 #include <algorithm>
@@ -21,46 +17,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-using Interval = CGAL::Interval_nt<false>;
-using Interval_tensor = Bernstein_tensor<Interval>;
-using Parameter_range = std::pair<Exact_rational, Exact_rational>;
-
-inline Interval interval_of(const Exact_rational& x) { return Number_traits<Interval>::from_rational(x); }
-inline Interval interval_of(const Parameter_range& range) { return Interval(to_double_interval(range.first).first, to_double_interval(range.second).second); }
-
-// A polynomial piece of a curve in homogeneous coordinates x, y, w on [0,1], and whether the curve has a tangent at its ends.
-struct Homogeneous_piece
-{
-  Parameter_range domain;
-  std::array<Bernstein_tensor<Exact_rational>, 3> coordinates;
-  bool is_smooth_at_begin = false, is_smooth_at_end = false;
-
-  Exact_rational local(const Exact_rational& t) const { return Exact_rational((t - domain.first) / (domain.second - domain.first)); }
-};
-
-template <class Curve>
-std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Planar_map& map)
-{
-  const auto xy = curve.homogeneous_coordinates();
-  const std::array<Bspline_function<Exact_rational>, 3> functions{xy[0], xy[1], curve.weight()};
-  std::vector<Exact_rational> breaks = map.breaks(0);
-  for (const auto& function : functions)
-    breaks = united(breaks, function.breaks(0));
-  std::vector<Homogeneous_piece> result;
-  for (std::size_t i = 1; i < breaks.size(); ++i) {
-    Homogeneous_piece& piece = result.emplace_back();
-    piece.domain = {breaks[i - 1], breaks[i]};
-    for (std::size_t k = 0; k < 3; ++k)
-      piece.coordinates[k] = functions[k].restricted(0, breaks[i - 1], breaks[i]).bezier_pieces().front();
-  }
-  const auto part = [&](const Homogeneous_piece& piece) { return Differentiated_map(map.restricted(0, piece.domain.first, piece.domain.second), 1); };
-  for (std::size_t i = map.is_closed() ? 0 : 1; i < result.size(); ++i) {
-    Homogeneous_piece& before = result[(i + result.size() - 1) % result.size()];
-    before.is_smooth_at_end = result[i].is_smooth_at_begin = have_common_tangent(part(before), part(result[i]));
-  }
-  return result;
-}
 
 // A circle that is known to touch a curve, by ranges.
 struct Enclosed_circle

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_DIAGRAM_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_DIAGRAM_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+What cells of a Voronoi diagram belong to: a polynomial piece of a curve, without its ends, or a point: an end of such a piece, or an isolated one.
+*/
+template <SplineKernel Kernel>
+struct Voronoi_site_2
+{
+  bool is_point;                             ///< whether it is a point
+  typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
+  std::size_t curve;                         ///< the index of the curve; of a point, that of a curve that ends there, or the largest number
+  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A point of an edge of a Voronoi diagram.
+*/
+template <SplineKernel Kernel>
+struct Voronoi_sample_2
+{
+  typename Kernel::Point_2 point;            ///< the point: the center of an empty disk, rounded
+  double radius;                             ///< the radius of the disk: the distance from both sites
+  std::array<double, 2> parameters;          ///< where the disk touches the sites of the edge: the parameter of a curve; of a point, no number
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from two sites or more.
+
+A vertex of degree three or more is such a point of as many contacts. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
+
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and the vertices that stand for a neighbourhood in which more vertices and edges may be are known: at most as many edges meet there as are listed, up to those that are too small to be told apart.
+
+\tparam Kernel a `SplineKernel`.
+*/
+template <SplineKernel Kernel>
+class Voronoi_diagram_2
+{
+public:
+  using Point = typename Kernel::Point_2;
+  using Site = Voronoi_site_2<Kernel>;
+  using Sample = Voronoi_sample_2<Kernel>;
+
+  //! a vertex.
+  struct Vertex
+  {
+    Point point;                        ///< where it is, rounded; if it is at infinity, no point
+    double radius;                      ///< the distance from the sites
+    std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
+    bool is_at_infinity;                ///< whether an edge has no end here
+    bool is_resolved;                   ///< whether it is proved to be one vertex
+  };
+
+  //! an edge.
+  struct Edge
+  {
+    std::array<std::size_t, 2> sites;                       ///< the site on its left, and that on its right; the same one if both contacts are on one piece
+    std::array<std::size_t, 2> vertices;                    ///< where it begins and ends
+    std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
+  };
+
+private:
+  using Part = internal::Disk_diagram::Part;
+
+  std::shared_ptr<const internal::Site_graph_2> m_graph;
+  std::shared_ptr<const internal::Disk_diagram> m_diagram;
+  std::vector<Site> m_sites;
+  std::vector<Vertex> m_vertices;
+  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_halfedge_of_edge;
+  bool m_is_complete = true;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram))
+  {
+    const Upward_rounding_guard guard;
+    make_sites();
+    make_vertices();
+    make_edges();
+    m_is_complete = m_diagram->number_of_unmatched_halfedges() == 0 && !m_diagram->has_unknown_front() && std::all_of(m_vertices.begin(), m_vertices.end(), [](const Vertex& v) { return v.is_resolved; });
+  }
+#endif
+
+  //! the sites: the polynomial pieces of all curves, and behind them all their ends and the isolated points.
+  const std::vector<Site>& sites() const { return m_sites; }
+
+  //! the vertices.
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+
+  //! the edges.
+  const std::vector<Edge>& edges() const { return m_edges; }
+
+  //! the number of regions that the edges cut the plane into: one for each connected set of curves and points.
+  std::size_t number_of_regions() const { return m_graph->number_of_components(); }
+
+  //! whether all of the diagram is proved.
+  bool is_complete() const { return m_is_complete; }
+
+  /*!
+  points along an edge, so many that it passes the middles of their chords at no more than a given distance.
+
+  An edge with an end at infinity is cut where the radius of the disks is larger than a given one; nothing is left if all are.
+
+  \param edge the index of the edge.
+  \param error the distance; positive.
+  \param most_radius the radius.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<Sample> polyline(std::size_t edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
+  {
+    if (!(error > 0))
+      throw Invalid_input("Voronoi_diagram_2: the error must be positive");
+    const Upward_rounding_guard guard;
+    std::vector<Sample> result;
+    for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
+      append_part(part, error, most_radius, result);
+    return result;
+  }
+
+private:
+  std::size_t site_of(const internal::Front& front) const { return front.object + (front.is_fan ? m_graph->arcs().size() : 0); }
+
+  double curve_parameter(std::size_t site, double u) const
+  {
+    if (m_sites[site].is_point)
+      return std::numeric_limits<double>::quiet_NaN();
+    const auto& [begin, end] = m_sites[site].parameters;
+    return u == 1 ? end : begin + u * (end - begin);
+  }
+
+  void make_sites()
+  {
+    for (std::size_t i = 0; i < m_graph->arcs().size(); ++i) {
+      const auto& [begin, end] = m_graph->arcs()[i].piece().domain;
+      m_sites.push_back({false, internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)), m_graph->curve_of_arc(i), {to_nearest_double(begin), to_nearest_double(end)}});
+    }
+    for (const auto& vertex : m_graph->vertices())
+      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), vertex.ends.empty() ? internal::Disk_diagram::none : m_graph->curve_of_arc(vertex.ends.front().arc), {}});
+  }
+
+  void make_vertices()
+  {
+    for (const auto& vertex : m_diagram->vertices()) {
+      const internal::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
+      const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : sample(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
+      m_vertices.push_back({at.point, at.radius, {}, vertex.is_at_infinity, vertex.is_resolved});
+    }
+    for (const internal::Disk_diagram::Part& part : m_diagram->lone_circles()) {
+      const Sample at = sample(part, m_diagram->end_parameter(part, false));
+      m_vertices.push_back({at.point, at.radius, {}, false, true});
+    }
+  }
+
+  void make_edges()
+  {
+    const auto& halfedges = m_diagram->halfedges();
+    std::vector<std::size_t> edge_of(halfedges.size(), internal::Disk_diagram::none);
+    for (std::size_t i = 0; i < halfedges.size(); ++i) {
+      const std::size_t twin = halfedges[i].twin;
+      if (twin == internal::Disk_diagram::none || halfedges[twin].twin != i || twin < i)
+        continue;
+      edge_of[i] = edge_of[twin] = m_edges.size();
+      m_halfedge_of_edge.push_back(i);
+      Edge edge{{site_of(m_diagram->front(halfedges[i])), site_of(m_diagram->front(halfedges[twin]))}, {halfedges[i].source, halfedges[twin].source}, {}};
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t end = 0; end < 2; ++end)
+          edge.parameters[k][end] = curve_parameter(edge.sites[k], end_parameter(halfedges[k == 0 ? i : twin], (end == 1) == (k == 0)));
+      m_edges.push_back(edge);
+    }
+    for (std::size_t v = 0; v < m_diagram->vertices().size(); ++v)
+      for (const std::size_t h : m_diagram->vertices()[v].outgoing)
+        if (edge_of[h] != internal::Disk_diagram::none)
+          m_vertices[v].edges.push_back(edge_of[h]);
+  }
+
+  double end_parameter(const internal::Disk_diagram::Halfedge& h, bool end) const { return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end); }
+
+  Sample sample(const Part& part, double u) const
+  {
+    const auto middle = [](const internal::Interval& x) { return x.inf() / 2 + x.sup() / 2; };
+    const internal::Front& front = m_diagram->front(part);
+    const internal::Disk_diagram::Disk disk = m_diagram->disk(part, u);
+    const internal::Front_jet x = m_graph->front_jet(front, {u, u});
+    const internal::Disk_contact& contact = m_diagram->stretch(part).contact;
+    const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);
+    const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.other_range.middle())};
+    if (!std::isfinite(disk.curvature.inf()))   // a corner
+      return {point(middle(x.point[0]), middle(x.point[1])), 0, parameters};
+    if (!(disk.curvature.inf() > 0))
+      return {Point(0, 0), std::numeric_limits<double>::infinity(), parameters};
+    const double radius = std::sqrt(middle(internal::squared_norm(x.normal))) / middle(disk.curvature);
+    return {point(middle(disk.center[0]), middle(disk.center[1])), radius, parameters};
+  }
+
+  static Point point(double x, double y) { return internal::kernel_object<Kernel, Point>(std::array<double, 2>{x, y}); }
+
+  // Appends the samples of a part that are not too far away.
+  void append_part(const Part& part, double error, double most_radius, std::vector<Sample>& samples) const
+  {
+    std::array<double, 2> ends{m_diagram->end_parameter(part, false), m_diagram->end_parameter(part, true)};
+    const auto is_near = [&](double u) { return !(sample(part, u).radius > most_radius); };
+    double inner = ends[0] / 2 + ends[1] / 2;
+    for (int side = 0; side < 2 && !is_near(inner); ++side)
+      inner = is_near(ends[side]) ? ends[side] : inner;
+    if (!is_near(inner))
+      return;
+    for (double& end : ends)
+      end = last_near(inner, end, is_near);
+    const Sample first = sample(part, ends[0]);
+    if (samples.empty())
+      samples.push_back(first);
+    append_samples(part, ends[0], ends[1], first, sample(part, ends[1]), error, samples, 0);
+  }
+
+  // The parameter nearest to an end with disks that are not too large.
+  template <class Is_near>
+  static double last_near(double inner, double end, const Is_near& is_near)
+  {
+    constexpr int steps = 40;
+    if (is_near(end))
+      return end;
+    for (int i = 0; i < steps; ++i) {
+      const double middle = inner / 2 + end / 2;
+      (is_near(middle) ? inner : end) = middle;
+    }
+    return inner;
+  }
+
+  void append_samples(const Part& part, double begin, double end, const Sample& from, const Sample& to, double error, std::vector<Sample>& samples, int depth) const
+  {
+    constexpr int least_depth = 2, most_depth = 16;
+    const double u = begin / 2 + end / 2;
+    const Sample middle = sample(part, u);
+    const auto coordinates = [](const Sample& s) { return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())}; };
+    const auto p = coordinates(from), q = coordinates(middle), r = coordinates(to);
+    const double distance = std::hypot(q[0] - (p[0] + r[0]) / 2, q[1] - (p[1] + r[1]) / 2), length = std::hypot(r[0] - p[0], r[1] - p[1]);
+    const double height = length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length : distance;
+    if (depth >= most_depth || (depth >= least_depth && height <= error)) {
+      samples.push_back(to);
+      return;
+    }
+    append_samples(part, begin, u, from, middle, error, samples, depth + 1);
+    append_samples(part, u, end, middle, to, error, samples, depth + 1);
+  }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_DIAGRAM_2_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_DISKS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_DISKS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Disks that touch two arcs near their common vertex p, in an angle of less than 180 degrees. With X = p + s A on the front and Y = p + t B on the other arc, s > 0 and t = m s, the curvature of the disk that touches the front in X and passes through Y is
+
+  k = g(s,m) / s,   g = 2 <N, Z> / |Z|^2,   Z = m B - A,
+
+and g is a smooth function with one maximum in m for small s, also for s = 0.
+*/
+class Corner_disks
+{
+  static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
+  static constexpr int steps = 96;
+
+  struct Ratio_bounds
+  {
+    Interval g, gm, gmm;
+  };
+
+  Interval m_s;
+  Interval_pair m_normal, m_a, m_b, m_derivative, m_second;
+  double m_speed_ratio;
+
+public:
+  // For the part of a front, which begins or ends in one end of its arc, and a range of the other arc that begins or ends there too.
+  Corner_disks(const Site_graph_2& graph, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
+  {
+    const Curve_jet x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
+    const Interval own_way(own.is_end ? -1 : 1), way(other.is_end ? -1 : 1);
+    m_s = Interval(0, (Interval(part.range.end) - Interval(part.range.begin)).sup());
+    m_normal = part.jet.normal;
+    m_a = own_way * x[1];
+    m_b = m_derivative = way * y[1];
+    m_second = y[2];
+    m_speed_ratio = std::sqrt(squared_norm(m_a).sup() / squared_norm(m_b).sup());
+  }
+
+  // If k has just one maximum in t, for all s: a curvature that it exceeds.
+  std::optional<double> least_curvature_of_only_maximum() const
+  {
+    if (!(dot(m_normal, m_b).inf() > 0) || !std::isfinite(m_speed_ratio))
+      return std::nullopt;
+    const double attained = bounds(Interval(m_speed_ratio)).g.inf();
+    if (!(attained > 0) || !are_far_points_lower(attained) || !have_near_points_one_maximum(attained))
+      return std::nullopt;
+    return (Interval(attained) / Interval(m_s.sup())).inf();
+  }
+
+private:
+  Ratio_bounds bounds(const Interval& m) const
+  {
+    const Interval two(2);
+    const Interval_pair z = m * m_b - m_a;
+    const Interval q = common_part(squared_norm(z), CGAL::square(m) * squared_norm(m_b) - two * m * dot(m_a, m_b) + squared_norm(m_a));
+    if (!(q.inf() > 0))
+      return {any_number(), any_number(), any_number()};
+    // Products with m are formed last: what the vectors have in common cancels before.
+    const Interval f = two * (m * dot(m_normal, m_b) - dot(m_normal, m_a));
+    const Interval qm = two * (m * dot(m_b, m_derivative) - dot(m_a, m_derivative)), qmm = two * (squared_norm(m_derivative) + m_s * dot(z, m_second));
+    Ratio_bounds result;
+    result.g = f / q;
+    result.gm = (two * dot(m_normal, m_derivative) - result.g * qm) / q;
+    result.gmm = (two * m_s * dot(m_normal, m_second) - result.g * qmm - two * result.gm * qm) / q;
+    return result;
+  }
+
+  // With l = s / t, t k = 2 <N, B - l A> / |B - l A|^2; where t > M s, k is below that bound divided by M s.
+  bool are_far_points_lower(double attained) const
+  {
+    const Interval most = Interval(far_ratio) * Interval(m_speed_ratio), l(0, (Interval(1) / most).sup());
+    const Interval_pair z = m_b - l * m_a;
+    const Interval q = squared_norm(z);
+    return q.inf() > 0 && (Interval(2) * dot(m_normal, z) / q - Interval(attained) * most).sup() < 0;
+  }
+
+  bool have_near_points_one_maximum(double attained) const
+  {
+    std::optional<Interval> second;
+    for (int i = 0; i < steps; ++i) {
+      // Steps grow with m.
+      const auto end = [&](int k) { return m_speed_ratio * far_ratio * k * k / (steps * steps); };
+      const Ratio_bounds k = bounds(Interval(end(i), i + 1 == steps ? (Interval(far_ratio) * Interval(m_speed_ratio)).sup() : end(i + 1)));
+      if (k.g.sup() < attained || certain_sign(k.gm) != 0)
+        continue;
+      second = second ? hull(*second, k.gmm) : k.gmm;
+    }
+    return second && second->sup() < 0;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_DISKS_H

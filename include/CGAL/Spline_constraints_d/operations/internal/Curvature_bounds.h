@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVATURE_BOUNDS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVATURE_BOUNDS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+inline Interval any_number() { return Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()); }
+
+// Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the front it touches and by that of the point v it passes through.
+struct Curvature_bounds
+{
+  Interval value = any_number(), du = any_number(), dv = any_number(), dvv = any_number(), duv = any_number();
+  bool is_below_vertex = false;   // another point, a common vertex of front and arc, has a larger curvature, or all are negative
+};
+
+inline Curvature_bounds hull(const Curvature_bounds& a, const Curvature_bounds& b)
+{
+  return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), a.is_below_vertex && b.is_below_vertex};
+}
+
+// A part of a front, with enclosures.
+struct Front_part
+{
+  std::size_t front;
+  Range range;
+  Front_jet jet;
+};
+
+inline Curvature_bounds common_part(const Curvature_bounds& a, const Curvature_bounds& b)
+{
+  Curvature_bounds result;
+  result.value = common_part(a.value, b.value);
+  result.du = common_part(a.du, b.du);
+  result.dv = common_part(a.dv, b.dv);
+  result.dvv = common_part(a.dvv, b.dvv);
+  result.duv = common_part(a.duv, b.duv);
+  result.is_below_vertex = a.is_below_vertex || b.is_below_vertex;
+  return result;
+}
+
+// f / q and its derivatives.
+struct Curvature_quotient
+{
+  Interval f, q, fu, qu, fv, qv, fvv, qvv, fuv, quv;
+
+  Curvature_bounds bounds() const
+  {
+    Curvature_bounds k;
+    if (!(q.inf() > 0))
+      return k;
+    k.value = f / q;
+    k.du = (fu - k.value * qu) / q;
+    k.dv = (fv - k.value * qv) / q;
+    k.dvv = (fvv - k.value * qvv - Interval(2) * k.dv * qv) / q;
+    k.duv = (fuv - k.du * qv - k.dv * qu - k.value * quv) / q;
+    return k;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVATURE_BOUNDS_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CANDIDATES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CANDIDATES_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// What maximal disks may touch: a node of the tree, a range of an arc, or an isolated vertex.
+struct Disk_candidate
+{
+  enum class Kind { NODE, ARC, VERTEX };
+
+  Kind kind;
+  std::size_t index;
+  Range range{};
+  Curve_jet jet{};              // of an arc
+  Curvature_bounds bounds{};    // over a part of a front and the range
+  Interval at_middle = any_number();   // the curvature for the middles of both
+};
+
+/*
+The candidates for the maximal disks of a front: those whose curvature may reach the largest one that is known to be attained.
+*/
+class Disk_candidates
+{
+  static constexpr std::size_t most_candidates = 200;
+  static constexpr double least_width = 0x1p-40;
+
+  const Site_graph_2& m_graph;
+  const Site_tree_2& m_tree;
+  Disk_curvature m_curvature;
+
+public:
+  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_tree(tree), m_curvature(graph) {}
+
+  std::vector<Disk_candidate> all() const
+  {
+    std::vector<Disk_candidate> result;
+    if (!m_tree.empty())
+      result.push_back({Disk_candidate::Kind::NODE, 0});
+    return result;
+  }
+
+  /*
+  Removes candidates that cannot be touched over a part of the front, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
+  or its highest point is its end, which it shares with a neighbour. Returns a curvature that is attained for all disks.
+  */
+  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates) const
+  {
+    const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
+    const Interval shift = part.range.interval() - Interval(part.range.middle());
+    Attained attained{Interval(least_curvature(part)), Interval(0)};
+    attained.least = attained.at_middle.inf();
+    std::vector<Disk_candidate> fresh = std::move(candidates), settled, next;
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift); };
+    while (!fresh.empty()) {
+      for (Disk_candidate& candidate : fresh)
+        bound(part, middle, candidate, attained);
+      next.clear();
+      for (const Disk_candidate& candidate : fresh) {
+        if (is_low(candidate))
+          continue;
+        if (is_small(part, candidate, attained.least) || fresh.size() + settled.size() + next.size() > most_candidates)
+          settled.push_back(candidate);
+        else
+          split(part, candidate, next);
+      }
+      fresh.swap(next);
+    }
+    std::erase_if(settled, is_low);
+    candidates = std::move(settled);
+    return attained.least;
+  }
+
+private:
+  // A curvature that is attained for all disks, and the one that is attained by some point, as a function of the parameter of the front: its value in the middle, and its derivative.
+  struct Attained
+  {
+    Interval at_middle, slope;
+    double least = 0;
+  };
+
+  static bool is_too_low(const Disk_candidate& candidate, const Attained& attained, const Interval& shift)
+  {
+    const Curvature_bounds& k = candidate.bounds;
+    if (k.is_below_vertex || k.value.sup() < attained.least || k.value.sup() <= 0)
+      return true;
+    if (candidate.kind == Disk_candidate::Kind::NODE)
+      return false;
+    if ((k.dv.inf() > 0 && candidate.range.end < 1) || (k.dv.sup() < 0 && candidate.range.begin > 0))
+      return true;
+    const Interval difference = candidate.at_middle - attained.at_middle + (k.du - attained.slope) * shift;
+    if (candidate.kind == Disk_candidate::Kind::VERTEX)
+      return difference.sup() < 0;
+    return (difference + k.dv * (candidate.range.interval() - Interval(candidate.range.middle()))).sup() < 0;
+  }
+
+  // The disks that osculate a circle have its curvature.
+  double least_curvature(const Front_part& part) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (front.is_fan || !m_graph.arcs()[front.object].circle())
+      return 0;
+    return (std::max)(0.0, m_curvature(part, m_graph.vertex_of({front.object, false})).value.inf());
+  }
+
+  // Bounds the curvature for a candidate, and learns from it what is attained.
+  void bound(const Front_part& part, const Front_part& middle, Disk_candidate& candidate, Attained& attained) const
+  {
+    Curvature_bounds& k = candidate.bounds;
+    if (candidate.kind == Disk_candidate::Kind::NODE) {
+      const Interval_pair d = m_tree.node(candidate.index).box - part.jet.point;
+      const Interval f = Interval(2) * dot(part.jet.normal, d), q = squared_norm(d);
+      k.value = f.sup() <= 0 ? Interval(0) : q.inf() > 0 ? f / q : any_number();
+      return;
+    }
+    const Interval shift_u = part.range.interval() - Interval(part.range.middle());
+    Interval slope;
+    if (candidate.kind == Disk_candidate::Kind::VERTEX) {
+      k = m_curvature(part, candidate.index);
+      candidate.at_middle = m_curvature(middle, candidate.index).value;
+      slope = k.du;
+    } else {
+      k = m_curvature(part, candidate.index, candidate.range, candidate.jet);
+      const double v = candidate.range.middle();
+      const Range point{v, v};
+      const Curve_jet jet = m_graph.arcs()[candidate.index].jet(point, 2);
+      const Curvature_bounds center = m_curvature(middle, candidate.index, point, jet);
+      const Interval shift_v = candidate.range.interval() - Interval(v);
+      candidate.at_middle = center.value;
+      slope = m_curvature(part, candidate.index, point, jet).du;
+      k.value = common_part(k.value, center.value + k.du * shift_u + k.dv * shift_v);
+      k.dv = common_part(k.dv, center.dv + k.duv * shift_u + k.dvv * shift_v);
+    }
+    if (candidate.at_middle.inf() > attained.at_middle.inf() && std::isfinite(slope.sup() - slope.inf())) {
+      attained.at_middle = candidate.at_middle;
+      attained.slope = slope;
+    }
+    for (const double least : {k.value.inf(), (candidate.at_middle + slope * shift_u).inf()})
+      if (std::isfinite(least) && least > attained.least)
+        attained.least = least;
+  }
+
+  bool is_small(const Front_part& part, const Disk_candidate& candidate, double least) const
+  {
+    if (candidate.kind != Disk_candidate::Kind::ARC)
+      return candidate.kind == Disk_candidate::Kind::VERTEX;
+    if (candidate.range.width() < least_width)
+      return true;
+    const auto size = [](const Interval_pair& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
+    // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
+    const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
+    const double seen = size(part.jet.point) + turn;
+    return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5;
+  }
+
+  void split(const Front_part& part, const Disk_candidate& candidate, std::vector<Disk_candidate>& parts) const
+  {
+    const auto add_arc = [&](std::size_t arc, const Range& range) { parts.push_back({Disk_candidate::Kind::ARC, arc, range, m_graph.arcs()[arc].jet(range)}); };
+    if (candidate.kind == Disk_candidate::Kind::ARC) {
+      add_arc(candidate.index, {candidate.range.begin, candidate.range.middle()});
+      add_arc(candidate.index, {candidate.range.middle(), candidate.range.end});
+      return;
+    }
+    const Site_tree_2::Node& node = m_tree.node(candidate.index);
+    if (!node.is_leaf())
+      for (const std::size_t child : node.children)
+        parts.push_back({Disk_candidate::Kind::NODE, child});
+    else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
+      if (const Front& front = m_graph.fronts()[part.front]; !front.is_fan || front.object != item.index)
+        parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
+    } else if (!m_graph.is_on_line_or_circle_of(part.front, item.index))
+      add_arc(item.index, Range());
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CANDIDATES_H

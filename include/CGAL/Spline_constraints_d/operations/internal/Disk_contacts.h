@@ -1,0 +1,431 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// What happens between two stretches of a front.
+enum class Disk_event { NONE, CROSSING, JOINT, TIP, UNRESOLVED };
+
+// What the maximal disks of a stretch touch besides the front: the inner points of an arc, a vertex, the whole circle that the front lies on, or, where disks are half-planes, nothing.
+struct Disk_contact
+{
+  enum class Kind { ARC, VERTEX, CIRCLE, NOTHING };
+
+  Kind kind = Kind::NOTHING;
+  std::size_t index = 0;
+  int side = 0;   // of contacts on the arc of the front itself: 1 after the parameter of the front, -1 before
+
+  bool operator==(const Disk_contact&) const = default;
+};
+
+// A contact, and where it is on an arc: the curvature has one maximum in that range.
+struct Located_contact
+{
+  Disk_contact contact;
+  Range range{};
+};
+
+// A point that disks may touch, as a function of the parameter of the front.
+struct Disk_branch : Located_contact
+{
+  // Where k_v at a point of the arc, or at the point of the front itself, may change its sign over the part: the contact where it is positive, and where it is negative.
+  struct Move
+  {
+    Disk_event event;
+    std::size_t arc;
+    double parameter;   // not used at tips
+    Located_contact positive, negative;
+  };
+  std::optional<Move> move{};
+};
+
+// The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
+struct Attained_curvature
+{
+  Interval curvature;
+  Range range{};
+};
+
+// The only maximum of the curvature in a range of an arc: Newton's method for k_v = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
+inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  constexpr int most_steps = 60;
+  const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
+  const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
+  Range bracket = located.range;
+  double v = bracket.middle();
+  for (int step = 0; step < most_steps; ++step) {
+    const Curvature_bounds k = at({v, v});
+    const double slope = middle(k.dv), newton = v - slope / middle(k.dvv);
+    if (std::isnan(slope))
+      break;
+    (slope > 0 ? bracket.begin : bracket.end) = v;
+    const double next = bracket.begin < newton && newton < bracket.end && middle(k.dvv) < 0 ? newton : bracket.middle();
+    if (!(std::abs(next - v) > 0x1p-52))
+      break;
+    v = next;
+  }
+  for (double width = 0x1p-44; width < 1; width *= 16) {
+    const Range range{(std::max)(v - width, located.range.begin), (std::min)(v + width, located.range.end)};
+    if (!(at({range.begin, range.begin}).dv.inf() > 0 && at({range.end, range.end}).dv.sup() < 0))
+      continue;
+    const Curvature_bounds k = at(range);
+    return {common_part(k.value, at({v, v}).value + k.dv * (range.interval() - Interval(v))), range};
+  }
+  return {any_number(), {v, v}};
+}
+
+// The curvature of the disk that touches a front in one point, and a contact.
+inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  switch (located.contact.kind) {
+  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
+  case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
+  case Disk_contact::Kind::CIRCLE: return {curvature(part, graph.vertex_of({located.contact.index, false})).value};
+  default: return {Interval(0)};
+  }
+}
+
+/*
+The branches of contacts over a part of a front that are left when candidates have been pruned.
+*/
+class Disk_contacts
+{
+  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; or is not known
+
+  struct Cluster
+  {
+    std::size_t arc;
+    Range range;
+    Curvature_bounds bounds{};
+    bool is_known = false;   // to have one maximum inside
+    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
+    bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
+    bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
+  };
+
+  const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
+  const Front_part& m_part;
+  const Front& m_front;
+  std::vector<Cluster> m_clusters;
+  std::vector<Disk_branch> m_branches;
+  bool m_are_known = true;
+
+public:
+  Disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+    : m_graph(graph), m_curvature(curvature), m_part(part), m_front(graph.fronts()[part.front])
+  {
+    collect(candidates);
+    for (const Arc_end& end : ends_at_common_vertices())
+      merge_at_vertex(end);
+    for (Cluster& cluster : m_clusters)
+      m_are_known = m_are_known && has_one_maximum(cluster);
+    if (!m_are_known)
+      return;
+    for (const Cluster& cluster : m_clusters)
+      add_branches(cluster);
+    if (!(least > 0))
+      m_branches.push_back(Disk_branch());
+    if (!m_front.is_fan && graph.arcs()[m_front.object].circle() && curvature(part, graph.vertex_of({m_front.object, false})).value.sup() >= (std::max)(least, 0.0))
+      m_branches.push_back(branch_to(Disk_contact::Kind::CIRCLE, m_front.object));
+  }
+
+  // Whether each branch is a function.
+  bool are_known() const { return m_are_known; }
+
+  // The branches, but for those that are below another one throughout the part.
+  std::vector<Disk_branch> highest() const
+  {
+    std::vector<Disk_branch> result;
+    for (const Disk_branch& branch : m_branches) {
+      bool is_below = false;
+      for (auto other = result.begin(); other != result.end() && !is_below;) {
+        const int order = order_throughout(branch, *other);
+        is_below = order < 0;
+        other = order > 0 ? result.erase(other) : other + 1;
+      }
+      if (!is_below)
+        result.push_back(branch);
+    }
+    return result;
+  }
+
+  int sign_of_move(const Disk_branch& branch, double u) const
+  {
+    const double v = branch.move->event == Disk_event::TIP ? u : branch.move->parameter;
+    return certain_sign(at(m_curvature.part(m_part.front, {u, u}), branch.move->arc, {v, v}).dv);
+  }
+
+  bool is_sign_of_move_monotone(const Disk_branch& branch) const
+  {
+    if (branch.move->event != Disk_event::TIP)
+      return certain_sign(at(m_part, branch.move->arc, {branch.move->parameter, branch.move->parameter}).duv) != 0;
+    const Curvature_bounds k = at(m_part, branch.move->arc, m_part.range);
+    return certain_sign(k.duv + k.dvv) != 0;
+  }
+
+  // Whether two branches that do not move have the same curvature at the begin or end of the front, by exact computation.
+  bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
+  {
+    const auto x = exact_curvature_at_end(a.contact, end), y = exact_curvature_at_end(b.contact, end);
+    return x && y && *x == *y;
+  }
+
+  // The sign of the difference of the curvatures of two branches that do not move.
+  int compare(const Disk_branch& a, const Disk_branch& b, double u) const
+  {
+    const Front_part part = m_curvature.part(m_part.front, {u, u});
+    return certain_sign(maximum(part, a) - maximum(part, b));
+  }
+
+  bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const { return certain_sign(slope(a) - slope(b)) != 0; }
+
+private:
+  Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
+
+  // Neighbouring candidates form one cluster.
+  void collect(const std::vector<Disk_candidate>& candidates)
+  {
+    for (const Disk_candidate& candidate : candidates)
+      if (candidate.kind == Disk_candidate::Kind::ARC)
+        m_clusters.push_back({candidate.index, candidate.range, candidate.bounds});
+      else if (candidate.kind == Disk_candidate::Kind::VERTEX)
+        m_branches.push_back(branch_to(Disk_contact::Kind::VERTEX, candidate.index));
+      else
+        m_are_known = false;
+    std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) { return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin); });
+    std::vector<Cluster> merged;
+    for (const Cluster& cluster : m_clusters)
+      if (!merged.empty() && merged.back().arc == cluster.arc && cluster.range.begin <= merged.back().range.end) {
+        merged.back().range.end = cluster.range.end;
+        merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
+      } else
+        merged.push_back(cluster);
+    m_clusters = std::move(merged);
+  }
+
+  // Also finds out about maxima in the ends.
+  bool has_one_maximum(Cluster& cluster) const
+  {
+    if (cluster.is_known)
+      return true;
+    const int slope = certain_sign(cluster.bounds.dv);
+    if (slope != 0) {
+      cluster.ends[slope > 0] = End_state::MAXIMUM;
+      return true;
+    }
+    if (!(cluster.bounds.dvv.sup() < 0))
+      return false;
+    for (const bool end : {false, true})
+      if (cluster.touches(end)) {
+        const double v = end ? 1 : 0;
+        const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
+        cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+      }
+    return true;
+  }
+
+  // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
+  void merge_at_vertex(const Arc_end& other)
+  {
+    if (cluster_at(other) == nullptr)
+      return;
+    Cluster all = *cluster_at(other);
+    for (const Cluster& cluster : m_clusters)
+      if (cluster.arc == other.arc)
+        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
+    all.is_known = m_front.is_fan ? has_one_maximum_at_fan(all, other) : has_one_maximum_at_corner(all, other);
+    if (all.is_known) {
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
+      m_clusters.push_back(all);
+    }
+  }
+
+  // Where the fan is perpendicular to the arc.
+  bool has_one_maximum_at_fan(const Cluster& cluster, const Arc_end& other) const
+  {
+    for (const bool normal : {false, true})
+      if (m_graph.is_perpendicular(m_front, normal, other) && Fan_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
+        return true;
+    return false;
+  }
+
+  bool has_one_maximum_at_corner(Cluster& cluster, const Arc_end& other) const
+  {
+    for (const bool own_end : {false, true}) {
+      const Arc_end own{m_front.object, own_end};
+      if (own == other || (own_end ? m_part.range.end < 1 : m_part.range.begin > 0) || m_graph.vertex_of(own) != m_graph.vertex_of(other))
+        continue;
+      if (const auto least = Corner_disks(m_graph, m_part, own, other, cluster.range).least_curvature_of_only_maximum()) {
+        cluster.bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // The ends of arcs in the vertices of the front that the part touches.
+  std::vector<Arc_end> ends_at_common_vertices() const
+  {
+    std::vector<Arc_end> result;
+    const auto add = [&](std::size_t vertex) { result.insert(result.end(), m_graph.vertices()[vertex].ends.begin(), m_graph.vertices()[vertex].ends.end()); };
+    if (m_front.is_fan)
+      add(m_front.object);
+    else
+      for (const bool end : {false, true})
+        if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
+          add(m_graph.vertex_of({m_front.object, end}));
+    return result;
+  }
+
+  const Cluster* cluster_at(const Arc_end& end) const
+  {
+    const auto cluster = std::find_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == end.arc && c.touches(end.is_end); });
+    return cluster == m_clusters.end() ? nullptr : &*cluster;
+  }
+
+  void add_branches(const Cluster& cluster)
+  {
+    if (cluster.has_inner_maximum())
+      add_inner_maximum(cluster);
+    else
+      for (const bool end : {false, true})
+        if (cluster.ends[end] == End_state::MAXIMUM && cluster.touches(end))
+          add_vertex({cluster.arc, end});
+  }
+
+  static Disk_branch branch_to(Disk_contact::Kind kind, std::size_t index)
+  {
+    Disk_branch result;
+    result.contact = {kind, index};
+    return result;
+  }
+
+  Located_contact contact_with(const Cluster& cluster) const
+  {
+    const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
+    return {{Disk_contact::Kind::ARC, cluster.arc, !is_own ? 0 : cluster.range.begin >= m_part.range.end ? 1 : cluster.range.end <= m_part.range.begin ? -1 : 0}, cluster.range};
+  }
+
+  void add_inner_maximum(const Cluster& cluster)
+  {
+    Disk_branch branch;
+    static_cast<Located_contact&>(branch) = contact_with(cluster);
+    for (const bool end : {false, true})
+      if (cluster.ends[end] == End_state::UNKNOWN) {
+        const auto beyond = contact_beyond({cluster.arc, end});
+        if (!beyond)
+          continue;
+        m_are_known = m_are_known && !branch.move;
+        branch.move = {Disk_event::JOINT, cluster.arc, end ? 1.0 : 0.0, end ? *beyond : branch, end ? branch : *beyond};
+        if (beyond->contact.kind == Disk_contact::Kind::ARC && beyond->contact.index < cluster.arc)
+          return;   // it is added there
+      }
+    const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
+    if (is_own && branch.contact.side == 0) {
+      m_are_known = m_are_known && !branch.move;
+      const int sign = certain_sign(at(m_part, cluster.arc, m_part.range).dv);
+      const Located_contact after{{Disk_contact::Kind::ARC, cluster.arc, 1}, cluster.range}, before{{Disk_contact::Kind::ARC, cluster.arc, -1}, cluster.range};
+      if (sign != 0)
+        branch.contact.side = sign;
+      else
+        branch.move = {Disk_event::TIP, cluster.arc, 0, after, before};
+    }
+    m_branches.push_back(branch);
+  }
+
+  // What disks touch if the maximum is not in the arc, but beyond its end; nothing if the maximum cannot be there.
+  std::optional<Located_contact> contact_beyond(const Arc_end& end)
+  {
+    const auto& continuation = m_graph.continuation(end);
+    const std::size_t vertex = m_graph.vertex_of(end);
+    if (!continuation)
+      return Located_contact{{Disk_contact::Kind::VERTEX, vertex}};
+    const Cluster* next = cluster_at(continuation->end);
+    if (next == nullptr || next->ends[continuation->end.is_end] == End_state::MAXIMUM)
+      return std::nullopt;
+    if (next->ends[continuation->end.is_end] == End_state::NOT_A_MAXIMUM)
+      m_are_known = false;
+    return contact_with(*next);
+  }
+
+  void add_vertex(const Arc_end& end)
+  {
+    const std::size_t vertex = m_graph.vertex_of(end);
+    for (const Arc_end& other : m_graph.vertices()[vertex].ends) {
+      const Cluster* cluster = cluster_at(other);
+      if (cluster != nullptr && cluster->ends[other.is_end] != End_state::MAXIMUM)
+        return;   // the maximum is in the other arc, or it has the vertex as a possible move
+    }
+    if (const auto& continuation = m_graph.continuation(end); continuation && cluster_at(continuation->end) == nullptr)
+      return;   // it is too low there
+    if (m_front.is_fan && m_front.object == vertex) {
+      m_are_known = false;
+      return;
+    }
+    const Disk_branch branch = branch_to(Disk_contact::Kind::VERTEX, vertex);
+    const bool is_known = std::any_of(m_branches.begin(), m_branches.end(), [&](const Disk_branch& b) { return b.contact == branch.contact; });
+    if (!is_known && !m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
+      m_branches.push_back(branch);
+  }
+
+  // The curvature and its derivative by u, over the part.
+  Interval slope(const Disk_branch& branch) const
+  {
+    switch (branch.contact.kind) {
+    case Disk_contact::Kind::ARC: return at(m_part, branch.contact.index, branch.range).du;
+    case Disk_contact::Kind::VERTEX: return m_curvature(m_part, branch.contact.index).du;
+    case Disk_contact::Kind::CIRCLE: return m_curvature(m_part, m_graph.vertex_of({m_front.object, false})).du;
+    default: return Interval(0);
+    }
+  }
+
+  Interval maximum(const Front_part& part, const Disk_branch& branch) const { return largest_curvature(m_graph, m_curvature, part, branch).curvature; }
+
+  std::optional<Exact_rational> exact_curvature_at_end(const Disk_contact& contact, bool end) const
+  {
+    if (contact.kind == Disk_contact::Kind::NOTHING)
+      return Exact_rational(0);
+    if (contact.kind != Disk_contact::Kind::VERTEX)
+      return std::nullopt;
+    const Exact_pair &p = m_graph.exact_point(m_front, end), &q = m_graph.vertices()[contact.index].exact_point;
+    const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    if (p == q)
+      return std::nullopt;
+    return Exact_rational(2 * exact_dot(m_graph.exact_normal(m_front, end), d) / exact_dot(d, d));
+  }
+
+  // The order of two branches if it is the same for all of the part, or 0.
+  int order_throughout(const Disk_branch& a, const Disk_branch& b) const
+  {
+    if (a.move || b.move)
+      return 0;
+    const double u = m_part.range.middle();
+    const Front_part middle = m_curvature.part(m_part.front, {u, u});
+    return certain_sign(maximum(middle, a) - maximum(middle, b) + (slope(a) - slope(b)) * (m_part.range.interval() - Interval(u)));
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H

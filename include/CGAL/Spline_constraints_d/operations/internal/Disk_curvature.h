@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CURVATURE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CURVATURE_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Curvature_bounds.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Fan_disks.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The disk that touches a front in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the center X + N / k with the curvature
+
+  k(u,v) = 2 <N, Y - X> / |Y - X|^2.
+
+The disk is in the half-plane of N where k > 0. Those with k <= 0 contain a half-plane, and there is no need to tell them apart.
+
+Where both points belong to one arc, or to two that join smoothly, both <N, Y - X> and |Y - X|^2 are divided by h^2, with h = v - u: with D = (Y - X) / h, the mean of X' between u and v, and E = <N, Y - X> / h^2, the mean of
+(1-t) <N(u), X''(u + t h)>, k = 2 E / |D|^2 has no singularity at v = u, where it is the curvature of the arc. Derivatives of D and E are means of higher derivatives, and all of them are enclosed by hulls of these.
+*/
+class Disk_curvature
+{
+  const Site_graph_2& m_graph;
+
+public:
+  explicit Disk_curvature(const Site_graph_2& graph) : m_graph(graph) {}
+
+  Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
+
+  // Over a part of a front and a range of an arc, with the enclosures of that.
+  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    Curvature_bounds result = general(part.jet, jet);
+    if (!front.is_fan && front.object == arc)
+      result = common_part(result, within_arc(part, arc, range));
+    for (const bool is_end : {false, true})
+      at_common_vertex(result, part, front, {arc, is_end}, range);
+    return result;
+  }
+
+  // The disks that pass through a vertex.
+  Curvature_bounds operator()(const Front_part& part, std::size_t vertex) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (!front.is_fan)
+      for (const bool is_end : {false, true})
+        if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= 4 * part.range.width())
+          return within_arc(part, front.object, {end.parameter(), end.parameter()});
+    Curve_jet jet{};
+    jet[0] = m_graph.vertices()[vertex].point;
+    return general(part.jet, jet);
+  }
+
+private:
+  static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
+
+  static Curvature_bounds general(const Front_jet& x, const Curve_jet& y)
+  {
+    const Interval two(2);
+    const Interval_pair d = y[0] - x.point;
+    Curvature_quotient k;
+    k.f = two * dot(x.normal, d);
+    k.q = squared_norm(d);
+    k.fu = two * dot(x.normal_derivative, d);   // the normal and the derivative of the point are perpendicular
+    k.qu = -two * dot(d, x.point_derivative);
+    k.fv = two * dot(x.normal, y[1]);
+    k.qv = two * dot(d, y[1]);
+    k.fvv = two * dot(x.normal, y[2]);
+    k.qvv = two * (squared_norm(y[1]) + dot(d, y[2]));
+    k.fuv = two * dot(x.normal_derivative, y[1]);
+    k.quv = -two * dot(x.point_derivative, y[1]);
+    return k.bounds();
+  }
+
+  /*
+  With the mean derivative D and G = D_u, the mean of (1-t) X'', which has E = <N, G>. Around the middle c of u and v,
+
+    D = X'(c) + h^2/24 X''',  G = X''(c)/2 - h/12 X'''(c) + h^2/48 X'''',  D_v = X''(c)/2 + h/12 X'''(c) + h^2/48 X'''',
+
+  with last derivatives somewhere between u and v; so that little is lost by hulls if h is small.
+  */
+  Curvature_bounds within_arc(const Front_part& part, std::size_t arc, const Range& range) const
+  {
+    const Interval h = range.interval() - part.range.interval(), hh = CGAL::square(h);
+    const Interval middle = (range.interval() + part.range.interval()) / Interval(2);
+    const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)), y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
+    const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6);
+    const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3], rest = (hh / Interval(48)) * x[4];
+    const Interval_pair g = common_part(half * x[2], half * y[2] - change + rest), dv = common_part(half * x[2], half * y[2] + change + rest);
+    const auto [n, nu] = std::pair(part.jet.normal, part.jet.normal_derivative);
+    Curvature_quotient k;
+    k.f = two * dot(n, g);
+    k.q = squared_norm(d);
+    k.fu = two * (dot(nu, g) + third * dot(n, x[3]));
+    k.qu = two * dot(d, g);
+    k.fv = third * dot(n, x[3]);
+    k.qv = two * dot(d, dv);
+    k.fvv = sixth * dot(n, x[4]);
+    k.qvv = two * (squared_norm(dv) + third * dot(d, x[3]));
+    k.fuv = third * dot(nu, x[3]) + sixth * dot(n, x[4]);
+    k.quv = two * (dot(g, dv) + sixth * dot(d, x[3]));
+    return k.bounds();
+  }
+
+  // What more is known where the front begins or ends in the end of the arc.
+  void at_common_vertex(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  {
+    const std::size_t vertex = m_graph.vertex_of(end);
+    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
+    if (front.is_fan) {
+      if (front.object == vertex)
+        at_fan(result, part, front, end, range);
+      return;
+    }
+    for (const bool is_end : {false, true}) {
+      const Arc_end own{front.object, is_end};
+      if (m_graph.vertex_of(own) != vertex || own == end)
+        continue;
+      const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
+      if (own_to_vertex.width() > 4 * part.range.width())
+        continue;
+      const auto& continuation = m_graph.continuation(own);
+      if (continuation && continuation->end == end)
+        result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *continuation, to_vertex));
+      else if (own_to_vertex.width() == part.range.width() && to_vertex.width() == range.width())
+        at_corner(result, part, own, end, range);
+    }
+  }
+
+  // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
+  Interval across_smooth_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
+  {
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[continuation.end.arc].jet(range, 2);
+    const Interval one(1), to_end(own.is_end ? 1 : -1), away(continuation.end.is_end ? -1 : 1), scale = one / continuation.speed_ratio;
+    const Interval_pair d = hull(to_end * x[1], (away * scale) * y[1]), second = hull(x[2], CGAL::square(scale) * y[2]);
+    const Interval q = squared_norm(d);
+    return q.inf() > 0 ? dot(part.jet.normal, second) / q : any_number();
+  }
+
+  // The outgoing mean derivative of an arc between an end and the points of a range.
+  Interval_pair secant(const Arc_end& end, const Curve_jet& jet) const { return Interval(end.is_end ? -1 : 1) * jet[1]; }
+
+  // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
+  void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  {
+    const Interval_pair b = secant(end, m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 1));
+    if (dot(part.jet.normal, b).sup() < 0)
+      result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), 0));
+    for (const bool k : {false, true})
+      if (m_graph.is_perpendicular(front, k, end)) {
+        const Fan_disks disks(m_graph, part, k, end, range);
+        result = common_part(result, disks.bounds());
+        const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
+        if (touches_vertex && disks.is_increasing())
+          result.dv = common_part(result.dv, end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min()) : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+      }
+  }
+
+  /*
+  p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
+  <N, B> |D|^2 <= 2 s E <B, D>.
+  */
+  void at_corner(Curvature_bounds& result, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  {
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2), y = m_graph.arcs()[other.arc].jet(range, 1);
+    const Interval_pair d = Interval(-1) * secant(own, x), b = secant(other, y);
+    const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
+    if (!(nb.sup() < 0))
+      return;
+    const Interval s(part.range.width());
+    const Interval turn = Interval(2) * s * Interval((std::max)(e.sup(), 0.0)) * dot(b, d), square = squared_norm(d);
+    result.is_below_vertex = e.sup() <= 0 || nb.sup() * square.inf() <= (std::min)(turn.inf(), 0.0);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CURVATURE_H

@@ -1,0 +1,280 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_DIAGRAM_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_DIAGRAM_H
+
+#include <CGAL/Spline_constraints_d/internal/parallel_for.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The centers of all maximal disks, as a planar graph. Each stretch of a front is a halfedge: the centers of its disks. Fronts are traversed with the free side on the left, so that halfedges follow each other around the region that belongs to a connected set of curves. The twin of a halfedge is that of the front on
+the other side of the disks, found by the other contact of one disk in the middle of the stretch: both stretches contain that disk, and so, as the ends of both are events, all the others. Vertices are the cycles of this structure: nothing is compared by coordinates.
+*/
+class Disk_diagram
+{
+public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  // A stretch of a front.
+  struct Part
+  {
+    std::size_t front, stretch;
+  };
+
+  struct Halfedge
+  {
+    std::vector<Part> parts;   // in order; several where the normals of a vertex come in several fans
+    std::size_t twin = none, next = none, previous = none, source = none;
+    bool begins_unresolved = false;   // something before it is not resolved
+  };
+
+  struct Vertex
+  {
+    std::vector<std::size_t> outgoing;   // halfedges, clockwise
+    bool is_at_infinity = false;
+    bool is_resolved = true;
+  };
+
+private:
+  const Site_graph_2& m_graph;
+  Disk_curvature m_curvature;
+  std::vector<std::vector<Disk_stretch>> m_stretches;      // of each front
+  std::vector<std::vector<std::size_t>> m_halfedges_of;    // of each front, for each stretch
+  std::vector<Halfedge> m_halfedges;
+  std::vector<Vertex> m_vertices;
+  std::vector<Part> m_lone_circles;                        // one of each cycle whose disks all are the same
+  std::size_t m_unmatched = 0;
+
+public:
+  Disk_diagram(const Site_graph_2& graph, std::vector<std::vector<Disk_stretch>> stretches) : m_graph(graph), m_curvature(graph), m_stretches(std::move(stretches))
+  {
+    const Upward_rounding_guard guard;
+    for (const auto& stretches : m_stretches)
+      m_halfedges_of.emplace_back(stretches.size(), none);
+    connect_cycles();
+    match_twins();
+    make_vertices();
+  }
+
+  const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+  const std::vector<Part>& lone_circles() const { return m_lone_circles; }
+  std::size_t number_of_unmatched_halfedges() const { return m_unmatched; }
+
+  // Whether nothing at all is known of a front.
+  bool has_unknown_front() const { return std::any_of(m_stretches.begin(), m_stretches.end(), [](const auto& stretches) { return stretches.empty(); }); }
+
+  const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
+  const Front& front(const Part& part) const { return m_graph.fronts()[part.front]; }
+  const Front& front(const Halfedge& h) const { return front(h.parts.front()); }
+  const Disk_contact& contact(const Halfedge& h) const { return stretch(h.parts.front()).contact; }
+  bool is_at_infinity(const Halfedge& h) const { return contact(h).kind == Disk_contact::Kind::NOTHING; }
+
+  // The parameter where a part begins or ends.
+  double end_parameter(const Part& part, bool end) const { return end != front(part).is_reversed ? stretch(part).range.end : stretch(part).range.begin; }
+
+  // The disk that touches the front in a point: its center, its radius, and the parameter of its other contact. Infinite where it is a half-plane.
+  struct Disk
+  {
+    Interval_pair center;
+    Interval curvature;   // 1 / radius, in units of the length of the normal
+    Range other_range;    // of an arc, with the parameter there
+  };
+
+  Disk disk(const Part& part, double u) const
+  {
+    const Front_part point = m_curvature.part(part.front, {u, u});
+    const Attained_curvature k = largest_curvature(m_graph, m_curvature, point, stretch(part).located(u));
+    const Interval_pair &x = point.jet.point, &n = point.jet.normal;
+    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
+  }
+
+private:
+  // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.
+  template <class Visit>
+  bool traverse(std::size_t first, std::vector<char>& is_visited, const Visit& visit) const
+  {
+    bool is_unresolved = false;
+    std::size_t f = first;
+    do {
+      is_visited[f] = true;
+      const bool is_reversed = m_graph.fronts()[f].is_reversed;
+      const std::size_t n = m_stretches[f].size();
+      is_unresolved = is_unresolved || n == 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const Part part{f, is_reversed ? n - 1 - i : i};
+        const auto& events = stretch(part).events;
+        is_unresolved = is_unresolved || events[is_reversed] == Disk_event::UNRESOLVED;
+        if (stretch(part).contact.kind != Disk_contact::Kind::CIRCLE) {
+          visit(part, is_unresolved);
+          is_unresolved = false;
+        }
+        is_unresolved = is_unresolved || events[!is_reversed] == Disk_event::UNRESOLVED;
+      }
+      f = m_graph.fronts()[f].next;
+    } while (f != first);
+    return is_unresolved;
+  }
+
+  // Whether a part begins where another one ends, in the next fan of the same vertex.
+  bool goes_on(const Part& before, const Part& after) const
+  {
+    const Front &a = front(before), &b = front(after);
+    return a.is_fan && b.is_fan && a.object == b.object && a.next == after.front && before.front != after.front && stretch(before).contact == stretch(after).contact &&
+           stretch(before).range.end == 1 && stretch(before).events[1] == Disk_event::NONE && stretch(after).range.begin == 0 && stretch(after).events[0] == Disk_event::NONE;
+  }
+
+  void connect_cycles()
+  {
+    std::vector<char> is_visited(m_stretches.size(), false);
+    for (std::size_t first = 0; first < m_stretches.size(); ++first) {
+      if (is_visited[first])
+        continue;
+      std::vector<Halfedge> cycle;
+      const bool is_unresolved_at_end = traverse(first, is_visited, [&](const Part& part, bool is_unresolved) {
+        if (!cycle.empty() && !is_unresolved && goes_on(cycle.back().parts.back(), part))
+          cycle.back().parts.push_back(part);
+        else {
+          cycle.push_back({{part}});
+          cycle.back().begins_unresolved = is_unresolved;
+        }
+      });
+      if (cycle.empty()) {
+        if (!m_stretches[first].empty())
+          m_lone_circles.push_back({first, 0});
+        continue;
+      }
+      cycle.front().begins_unresolved = cycle.front().begins_unresolved || is_unresolved_at_end;
+      if (cycle.size() > 1 && !cycle.front().begins_unresolved && goes_on(cycle.back().parts.back(), cycle.front().parts.front())) {
+        cycle.back().parts.insert(cycle.back().parts.end(), cycle.front().parts.begin(), cycle.front().parts.end());
+        cycle.erase(cycle.begin());
+      }
+      append_cycle(std::move(cycle));
+    }
+  }
+
+  void append_cycle(std::vector<Halfedge> cycle)
+  {
+    const std::size_t first = m_halfedges.size(), n = cycle.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      cycle[i].previous = first + (i + n - 1) % n;
+      cycle[i].next = first + (i + 1) % n;
+      for (const Part& part : cycle[i].parts)
+        m_halfedges_of[part.front][part.stretch] = first + i;
+      m_halfedges.push_back(std::move(cycle[i]));
+    }
+  }
+
+  void match_twins()
+  {
+    for (std::size_t i = 0; i < m_halfedges.size(); ++i)
+      if (!is_at_infinity(m_halfedges[i]))
+        m_halfedges[i].twin = twin_of(m_halfedges[i]);
+    for (std::size_t i = 0; i < m_halfedges.size(); ++i)
+      if (const std::size_t twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i))
+        ++m_unmatched;
+  }
+
+  std::size_t twin_of(const Halfedge& h) const
+  {
+    for (const Part& part : h.parts)
+      for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
+        const Range& range = stretch(part).range;
+        const auto contact = other_contact(part, disk(part, range.begin + share * range.width()));
+        if (!contact)
+          continue;
+        const std::vector<Disk_stretch>& others = m_stretches[contact->first];
+        for (std::size_t s = 0; s < others.size(); ++s)
+          if (others[s].range.begin < contact->second.begin && contact->second.end < others[s].range.end && touches(others[s].contact, front(part)))
+            return m_halfedges_of[contact->first][s];
+      }
+    return none;
+  }
+
+  static bool touches(const Disk_contact& contact, const Front& front)
+  {
+    return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
+  }
+
+  // The front on the other side of a disk, and a range with the parameter of the contact there.
+  std::optional<std::pair<std::size_t, Range>> other_contact(const Part& part, const Disk& d) const
+  {
+    const Disk_contact& contact = stretch(part).contact;
+    if (contact.kind == Disk_contact::Kind::ARC) {
+      const Curve_jet y = m_graph.arcs()[contact.index].jet(d.other_range, 1);
+      const int side = certain_sign(dot(turned_left(y[1]), d.center - y[0]));
+      return side == 0 ? std::nullopt : std::optional(std::pair(2 * contact.index + (side < 0), d.other_range));
+    }
+    const Site_graph_2::Vertex& vertex = m_graph.vertices()[contact.index];
+    const Interval_pair way = d.center - vertex.point;
+    for (const std::size_t fan : vertex.fans) {
+      const auto& [from, to] = m_graph.fronts()[fan].normals;
+      const Interval a = dot(turned_left(way), from), b = dot(turned_left(to), way);   // way x from, to x way
+      if (a.inf() > 0 && b.inf() > 0) {
+        const Interval u = a / (a + b);
+        return std::pair(fan, Range{u.inf(), u.sup()});
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Around the source of a halfedge: the twin of the one before it begins there, too.
+  void make_vertices()
+  {
+    for (std::size_t first = 0; first < m_halfedges.size(); ++first) {
+      if (is_at_infinity(m_halfedges[first]) || m_halfedges[first].source != none)
+        continue;
+      Vertex vertex;
+      const auto visit = [&](std::size_t h) {
+        m_halfedges[h].source = m_vertices.size();
+        vertex.outgoing.push_back(h);
+        vertex.is_resolved = vertex.is_resolved && !m_halfedges[h].begins_unresolved;
+      };
+      const auto previous_twin = [&](std::size_t h) {
+        const Halfedge& before = m_halfedges[m_halfedges[h].previous];
+        vertex.is_at_infinity = vertex.is_at_infinity || is_at_infinity(before);
+        return before.twin;
+      };
+      std::size_t h = first;
+      do {
+        visit(h);
+        h = previous_twin(h);
+      } while (h != none && m_halfedges[h].source == none);
+      m_vertices.push_back(std::move(vertex));
+    }
+  }
+};
+
+// The diagram of a graph of curves. With a tag for parallel work, fronts are handed to all cores.
+template <class Concurrency_tag>
+Disk_diagram disk_diagram(const Site_graph_2& graph)
+{
+  const Site_tree_2 tree(graph);
+  std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
+  parallel_for<Concurrency_tag>(stretches.size(), [&](std::size_t front, std::size_t) {
+    const Upward_rounding_guard guard;
+    stretches[front] = Maximal_disks(graph, tree)(front);
+  });
+  return Disk_diagram(graph, std::move(stretches));
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_DIAGRAM_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A stretch of a front whose maximal disks touch the same thing elsewhere, and what happens at its ends, where the event is located by a range of the parameter.
+struct Disk_stretch
+{
+  Disk_contact contact;
+  Range range;
+  std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
+  std::vector<std::pair<Range, Range>> boxes{};   // ranges of the front in order, and for contacts in arcs those of the parameter there
+
+  Located_contact located(double u) const
+  {
+    const auto box = std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; });
+    return {contact, box->second};
+  }
+};
+
+/*
+The largest disks that touch a front and have no curve inside. Where u runs along the front their curvature is the upper envelope of max_v k(u,v) over all arcs, and 0: a function of one variable, whose pieces and the events between these are proved as follows.
+
+A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one stretch. If there are two, and the derivative of the difference has a sign, the
+signs of the difference at both ends tell whether they change places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in the end; and that at v = u, whether the disk touches the front before or after u: there is a tip of the diagram between.
+
+Ranges that become too small are left unresolved.
+*/
+class Maximal_disks
+{
+  static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
+  static constexpr double least_width = 0x1p-33;
+  static constexpr int most_nodes = 10000;
+
+  const Site_graph_2& m_graph;
+  Disk_curvature m_curvature;
+  Disk_candidates m_candidates;
+  std::vector<Disk_stretch> m_stretches;
+  std::optional<Range> m_unresolved;   // at the end of what has been swept
+  int m_nodes = 0;
+
+public:
+  explicit Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_curvature(graph), m_candidates(graph, tree) {}
+
+  // The stretches of a front in order; none if nothing could be resolved.
+  std::vector<Disk_stretch> operator()(std::size_t front)
+  {
+    m_stretches.clear();
+    m_unresolved.reset();
+    m_nodes = 0;
+    sweep(front, Range(), m_candidates.all());
+    if (m_unresolved && !m_stretches.empty())
+      m_stretches.back().events[1] = Disk_event::UNRESOLVED;
+    return std::move(m_stretches);
+  }
+
+private:
+  void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
+  {
+    const Front_part part = m_curvature.part(front, range);
+    const double least = m_candidates.prune(part, candidates);
+    if (resolve(part, candidates, least))
+      return;
+    const double middle = range.begin + split_ratio * range.width();
+    if (range.width() < least_width || ++m_nodes > most_nodes) {
+      append_unresolved(range);
+      return;
+    }
+    sweep(front, {range.begin, middle}, candidates);
+    sweep(front, {middle, range.end}, std::move(candidates));
+  }
+
+  // Finds the stretches within a range, if there is at most one event.
+  bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  {
+    const Disk_contacts contacts(m_graph, m_curvature, part, candidates, least);
+    if (!contacts.are_known())
+      return false;
+    const std::vector<Disk_branch> highest = contacts.highest();
+    if (highest.size() == 1)
+      return append_branch(contacts, part.range, highest[0]);
+    return highest.size() == 2 && append_crossing(contacts, part.range, highest[0], highest[1]);
+  }
+
+  bool append_branch(const Disk_contacts& contacts, const Range& range, const Disk_branch& branch)
+  {
+    if (!branch.move) {
+      append(branch, range);
+      return true;
+    }
+    const auto sign_at = [&](double u) { return contacts.sign_of_move(branch, u); };
+    return append_change(range, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event);
+  }
+
+  bool append_crossing(const Disk_contacts& contacts, const Range& range, const Disk_branch& first, const Disk_branch& second)
+  {
+    if (first.move || second.move)
+      return false;
+    const auto sign_at = [&](double u) {
+      const int sign = contacts.compare(first, second, u);
+      if (sign == 0 && (u == 0 || u == 1) && contacts.are_equal_at_end(first, second, u == 1)) {
+        const double other = u == 0 ? range.end : range.begin;   // the order near the end is the same
+        return 0 < other && other < 1 ? contacts.compare(first, second, other) : 0;
+      }
+      return sign;
+    };
+    return append_change(range, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
+  }
+
+  // Where a function is positive the contact is the first one, where it is negative the second one.
+  template <class Sign>
+  bool append_change(const Range& range, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event)
+  {
+    if (!is_monotone)
+      return false;
+    const int at_begin = sign_at(range.begin), at_end = sign_at(range.end);
+    if (at_begin * at_end == 0)
+      return false;
+    const Located_contact &before = at_begin > 0 ? positive : negative, &after = at_end > 0 ? positive : negative;
+    if (at_begin == at_end) {
+      append(before, range);
+      return true;
+    }
+    const Range zero = located(range, sign_at, at_begin);
+    append(before, {range.begin, zero.begin});
+    m_stretches.back().events[1] = event;
+    m_stretches.push_back({after.contact, {zero.end, range.end}, {event, Disk_event::NONE}, {{{zero.end, range.end}, after.range}}});
+    return true;
+  }
+
+  // Bisection while signs are certain.
+  template <class Sign>
+  static Range located(Range range, const Sign& sign_at, int sign_at_begin)
+  {
+    for (double shift : {0.5, 0.4375, 0.5625})
+      for (;;) {
+        const double u = range.begin + shift * range.width();
+        if (!(range.begin < u && u < range.end))
+          return range;
+        const int sign = sign_at(u);
+        if (sign == 0)
+          break;
+        (sign == sign_at_begin ? range.begin : range.end) = u;
+      }
+    return range;
+  }
+
+  void append(const Located_contact& located, const Range& range)
+  {
+    if (!m_stretches.empty() && !m_unresolved && m_stretches.back().contact == located.contact) {
+      m_stretches.back().range.end = range.end;
+      m_stretches.back().boxes.emplace_back(range, located.range);
+      return;
+    }
+    // Two neighbouring ranges have different contacts only if both have the same curvature between them, which is decided nowhere.
+    const Disk_event event = m_unresolved || !m_stretches.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
+    if (!m_stretches.empty())
+      m_stretches.back().events[1] = event;
+    m_stretches.push_back({located.contact, range, {event, Disk_event::NONE}, {{range, located.range}}});
+    m_unresolved.reset();
+  }
+
+  void append_unresolved(const Range& range)
+  {
+    if (m_unresolved)
+      m_unresolved->end = range.end;
+    else
+      m_unresolved = range;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H

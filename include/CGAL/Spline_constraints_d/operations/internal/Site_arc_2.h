@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_ARC_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_ARC_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Interval_pair = std::array<Interval, 2>;
+
+inline Interval dot(const Interval_pair& a, const Interval_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Interval squared_norm(const Interval_pair& a) { return CGAL::square(a[0]) + CGAL::square(a[1]); }
+inline Interval_pair turned_left(const Interval_pair& a) { return {-a[1], a[0]}; }
+inline Interval_pair operator+(const Interval_pair& a, const Interval_pair& b) { return {a[0] + b[0], a[1] + b[1]}; }
+inline Interval_pair operator-(const Interval_pair& a, const Interval_pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
+inline Interval_pair operator*(const Interval& s, const Interval_pair& a) { return {s * a[0], s * a[1]}; }
+
+inline Interval hull(const Interval& a, const Interval& b) { return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())); }
+inline Interval_pair hull(const Interval_pair& a, const Interval_pair& b) { return {hull(a[0], b[0]), hull(a[1], b[1])}; }
+
+// What two enclosures of the same number have in common; they always meet.
+inline Interval common_part(const Interval& a, const Interval& b) { return Interval((std::max)(a.inf(), b.inf()), (std::min)(a.sup(), b.sup())); }
+
+inline Interval_pair common_part(const Interval_pair& a, const Interval_pair& b) { return {common_part(a[0], b[0]), common_part(a[1], b[1])}; }
+
+// The sign of all numbers of an interval, or 0 where they differ or are zero.
+inline int certain_sign(const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; }
+
+// A closed range of the parameter of an arc, within [0,1].
+struct Range
+{
+  double begin = 0, end = 1;
+
+  double width() const { return end - begin; }
+  double middle() const { return begin + (end - begin) / 2; }
+  bool is_number() const { return begin == end; }
+  Interval interval() const { return Interval(begin, end); }
+  bool meets(const Range& other) const { return begin <= other.end && other.begin <= end; }
+};
+
+inline Range united(const Range& a, const Range& b) { return {(std::min)(a.begin, b.begin), (std::max)(a.end, b.end)}; }
+
+// Enclosures of the point of an arc and of its first derivatives over a range.
+constexpr std::size_t jet_order = 4;
+using Curve_jet = std::array<Interval_pair, jet_order + 1>;
+
+inline Curve_jet hull(const Curve_jet& a, const Curve_jet& b)
+{
+  Curve_jet result;
+  for (std::size_t k = 0; k <= jet_order; ++k)
+    result[k] = hull(a[k], b[k]);
+  return result;
+}
+
+// A polynomial on [0,1] and its derivatives, by enclosed Bernstein coefficients.
+class Polynomial_jet
+{
+  std::array<std::vector<Interval>, jet_order + 1> m_rows;
+
+public:
+  Polynomial_jet() = default;
+
+  explicit Polynomial_jet(Bernstein_tensor<Exact_rational> tensor)
+  {
+    for (std::size_t k = 0; k <= jet_order; ++k, tensor = tensor.derivative(0))
+      for (const Exact_rational& c : tensor.coefficients())
+        m_rows[k].push_back(interval_of(c));
+  }
+
+  // Bounds of a derivative over a range: those of the Bernstein coefficients there.
+  Interval operator()(std::size_t order, const Range& range) const
+  {
+    constexpr std::size_t most_in_place = 16;
+    const std::vector<Interval>& row = m_rows[order];
+    if (row.size() > most_in_place) {
+      std::vector<Interval> b(row);
+      return bounds(b.data(), b.size(), range);
+    }
+    std::array<Interval, most_in_place> b;
+    std::copy(row.begin(), row.end(), b.begin());
+    return bounds(b.data(), row.size(), range);
+  }
+
+private:
+  static Interval bounds(Interval* b, std::size_t size, const Range& range)
+  {
+    const Interval t(range.begin);
+    for (std::size_t r = 1; r < size; ++r)
+      for (std::size_t k = 0; k + r < size; ++k)
+        b[k] += t * (b[k + 1] - b[k]);
+    if (range.is_number())
+      return b[0];
+    if (range.end != 1 || range.begin != 0) {   // the part after the begin, cut at the end
+      const Interval s = range.begin == 1 ? Interval(0) : (Interval(range.end) - t) / (Interval(1) - t);
+      for (std::size_t r = 1; r < size; ++r)
+        for (std::size_t k = size - 1; k >= r; --k)
+          b[k] = b[k - 1] + s * (b[k] - b[k - 1]);
+    }
+    return std::accumulate(b + 1, b + size, b[0], [](const Interval& x, const Interval& y) { return hull(x, y); });
+  }
+};
+
+/*
+A polynomial or rational piece of a curve that is a site, on [0,1], with enclosures of its derivatives up to the fourth.
+*/
+class Site_arc_2
+{
+  Homogeneous_piece m_piece;
+  std::array<Polynomial_jet, 3> m_coordinates;
+  bool m_is_polynomial = true;
+  bool m_is_straight = true;
+  std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
+
+public:
+  explicit Site_arc_2(Homogeneous_piece piece) : m_piece(std::move(piece))
+  {
+    const std::vector<Exact_rational> weights = m_piece.coordinates[2].coefficients();
+    m_is_polynomial = std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& w) { return w == weights.front(); });
+    if (m_is_polynomial)
+      for (Bernstein_tensor<Exact_rational>& tensor : m_piece.coordinates)
+        tensor = divided_by(tensor, weights.front());
+    for (std::size_t k = 0; k < 3; ++k)
+      m_coordinates[k] = Polynomial_jet(m_piece.coordinates[k]);
+    const Exact_pair a = at(0), b = at(1);
+    m_is_straight = contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
+    if (!m_is_straight)
+      m_circle = circle_through_all_points();
+  }
+
+  const Homogeneous_piece& piece() const { return m_piece; }
+  bool is_straight() const { return m_is_straight; }
+
+  // The circle the arc lies on.
+  const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
+
+  Exact_pair at(const Exact_rational& t) const
+  {
+    const std::array<Exact_rational, 1> u{t};
+    const Exact_rational w = m_piece.coordinates[2](u);
+    return {Exact_rational(m_piece.coordinates[0](u) / w), Exact_rational(m_piece.coordinates[1](u) / w)};
+  }
+
+  // A vector in the direction of the derivative; its length is that times the square of the weight.
+  Exact_pair direction_at(const Exact_rational& t) const
+  {
+    const std::array<Exact_rational, 1> u{t};
+    const auto& [x, y, w] = m_piece.coordinates;
+    const Exact_rational w0 = w(u), w1 = w.derivative(0)(u);
+    return {Exact_rational(x.derivative(0)(u) * w0 - x(u) * w1), Exact_rational(y.derivative(0)(u) * w0 - y(u) * w1)};
+  }
+
+  Exact_pair derivative_at(const Exact_rational& t) const
+  {
+    const Exact_pair d = direction_at(t);
+    const Exact_rational w = m_piece.coordinates[2](std::array<Exact_rational, 1>{t}), square = w * w;
+    return {Exact_rational(d[0] / square), Exact_rational(d[1] / square)};
+  }
+
+  Interval_pair point(const Range& range) const { return jet(range, 0)[0]; }
+
+  // The derivatives up to an order; others are zero.
+  Curve_jet jet(const Range& range, std::size_t order = jet_order) const
+  {
+    Curve_jet result;
+    for (std::size_t k = 0; k <= order; ++k)
+      result[k] = {m_coordinates[0](k, range), m_coordinates[1](k, range)};
+    if (!m_is_polynomial)
+      divide_by_weight(result, range, order);
+    return result;
+  }
+
+private:
+  static Bernstein_tensor<Exact_rational> divided_by(const Bernstein_tensor<Exact_rational>& tensor, const Exact_rational& number)
+  {
+    std::vector<Exact_rational> coefficients = tensor.coefficients();
+    for (Exact_rational& c : coefficients)
+      c /= number;
+    return {tensor.degrees(), std::move(coefficients)};
+  }
+
+  // Leibniz: (X w)^(k) = sum_i (k over i) X^(i) w^(k-i).
+  void divide_by_weight(Curve_jet& jet, const Range& range, std::size_t order) const
+  {
+    static constexpr std::array<std::array<double, 5>, 5> binomials{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}}};
+    std::array<Interval, jet_order + 1> w;
+    for (std::size_t k = 0; k <= order; ++k)
+      w[k] = m_coordinates[2](k, range);
+    for (std::size_t k = 0; k <= order; ++k)
+      for (std::size_t c = 0; c < 2; ++c) {
+        for (std::size_t i = 0; i < k; ++i)
+          jet[k][c] -= Interval(binomials[k][i]) * jet[i][c] * w[k - i];
+        jet[k][c] /= w[0];
+      }
+  }
+
+  // Whether a quadratic function is zero on the whole arc: it has more zeros than its degree allows otherwise.
+  template <class Function>
+  bool contains_zero_of(const Function& function) const
+  {
+    const int degree = (std::max)({m_piece.coordinates[0].degree(0), m_piece.coordinates[1].degree(0), m_piece.coordinates[2].degree(0)});
+    for (int i = 0; i <= 2 * degree; ++i)
+      if (CGAL::sign(function(at(Exact_rational(i) / Exact_rational(2 * degree)))) != CGAL::ZERO)
+        return false;
+    return true;
+  }
+
+  std::optional<std::pair<Exact_pair, Exact_rational>> circle_through_all_points() const
+  {
+    const Exact_pair a = at(0), b = at(Exact_rational(1) / 2), c = at(1);
+    const Exact_pair p{b[0] - a[0], b[1] - a[1]}, q = a == c ? Exact_pair{at(Exact_rational(1) / 4)[0] - a[0], at(Exact_rational(1) / 4)[1] - a[1]} : Exact_pair{c[0] - a[0], c[1] - a[1]};
+    const Exact_rational twice_area = 2 * exact_cross(p, q), pp = exact_dot(p, p), qq = exact_dot(q, q);
+    if (CGAL::sign(twice_area) == CGAL::ZERO)
+      return std::nullopt;
+    const Exact_pair offset{Exact_rational((q[1] * pp - p[1] * qq) / twice_area), Exact_rational((p[0] * qq - q[0] * pp) / twice_area)};
+    const Exact_pair center{Exact_rational(a[0] + offset[0]), Exact_rational(a[1] + offset[1])};
+    const Exact_rational square = exact_dot(offset, offset);
+    if (!contains_zero_of([&](const Exact_pair& x) {
+          const Exact_pair d{x[0] - center[0], x[1] - center[1]};
+          return Exact_rational(exact_dot(d, d) - square);
+        }))
+      return std::nullopt;
+    return std::make_pair(center, square);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_ARC_2_H

@@ -1,0 +1,313 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
+
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// One of the ends of an arc: its begin or its end.
+struct Arc_end
+{
+  std::size_t arc;
+  bool is_end;
+
+  double parameter() const { return is_end ? 1 : 0; }
+  bool operator==(const Arc_end&) const = default;
+};
+
+/*
+One side of an arc, or the normals of a vertex between two sides: what disks touch. Fronts are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
+from 1 to 0; and a fan clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
+*/
+struct Front
+{
+  bool is_fan;
+  std::size_t object;        // an arc, or a vertex
+  bool is_reversed = false;  // the right side of an arc
+  std::array<Exact_pair, 2> exact_normals{};
+  std::array<Interval_pair, 2> normals{};
+  std::size_t next = 0;      // where the traversal goes on
+};
+
+// Enclosures of the point of a front, its normal, which has any length, and their derivatives.
+struct Front_jet
+{
+  Interval_pair point, point_derivative, normal, normal_derivative;
+};
+
+// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there.
+struct Smooth_continuation
+{
+  Arc_end end;
+  Interval speed_ratio;
+};
+
+/*
+Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
+*/
+class Site_graph_2
+{
+public:
+  struct Vertex
+  {
+    Exact_pair exact_point;
+    Interval_pair point;
+    std::vector<Arc_end> ends;          // of the arcs here, counterclockwise
+    std::vector<std::size_t> fans;
+  };
+
+private:
+  std::vector<Site_arc_2> m_arcs;
+  std::vector<std::size_t> m_curve_of_arc;
+  std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
+  std::vector<std::array<std::optional<Smooth_continuation>, 2>> m_continuations;
+  std::vector<Vertex> m_vertices;
+  std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
+  std::map<Exact_pair, std::size_t> m_vertex_at;
+
+public:
+  void add_point(const Exact_pair& point) { vertex_at(point); }
+
+  void add_arc(Homogeneous_piece piece, std::size_t curve)
+  {
+    Site_arc_2 arc(std::move(piece));
+    const Exact_pair a = arc.at(0), b = arc.at(1);
+    if (a == b && a == arc.at(Exact_rational(1) / 2))
+      throw Invalid_input("a piece of curve " + std::to_string(curve) + " is a point");
+    m_arcs.push_back(std::move(arc));
+    m_curve_of_arc.push_back(curve);
+    const std::size_t first = vertex_at(a), second = vertex_at(b);
+    m_vertices_of_arc.push_back({first, second});
+    m_vertices[first].ends.push_back({m_arcs.size() - 1, false});
+    m_vertices[second].ends.push_back({m_arcs.size() - 1, true});
+  }
+
+  // Orders the arcs around the vertices, and makes the fronts.
+  void close()
+  {
+    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
+      m_fronts.push_back({false, i, false});
+      m_fronts.push_back({false, i, true});
+    }
+    m_continuations.resize(m_arcs.size());
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      order_ends(m_vertices[v]);
+      find_continuations(m_vertices[v]);
+      connect_fronts(v);
+    }
+  }
+
+  const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+  const std::vector<Front>& fronts() const { return m_fronts; }
+  std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
+  std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
+  const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+
+  // The number of connected sets of arcs and vertices.
+  std::size_t number_of_components() const
+  {
+    std::vector<std::size_t> parent(m_vertices.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](std::size_t v) {
+      while (parent[v] != v)
+        v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    std::size_t result = m_vertices.size();
+    for (const auto& [first, second] : m_vertices_of_arc)
+      if (const std::size_t a = root(first), b = root(second); a != b) {
+        parent[a] = b;
+        --result;
+      }
+    return result;
+  }
+
+  // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
+  Exact_pair direction(const Arc_end& end) const
+  {
+    const auto& [x, y, w] = m_arcs[end.arc].piece().coordinates;
+    const auto elevated = [&](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
+    const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
+    const std::size_t last = xs.size() - 1;
+    const auto point = [&](std::size_t i) {
+      const std::size_t k = end.is_end ? last - i : i;
+      return Exact_pair{Exact_rational(xs[k] / ws[k]), Exact_rational(ys[k] / ws[k])};
+    };
+    const Exact_pair p = point(0);
+    for (std::size_t i = 1; i <= last; ++i)
+      if (const Exact_pair q = point(i); q != p)
+        return {Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    return {};
+  }
+
+  Front_jet front_jet(const Front& front, const Range& range) const
+  {
+    if (front.is_fan) {
+      const Interval u = range.interval();
+      const Interval_pair difference = front.normals[1] - front.normals[0];
+      return {m_vertices[front.object].point, {Interval(0), Interval(0)}, {front.normals[0][0] + u * difference[0], front.normals[0][1] + u * difference[1]}, difference};
+    }
+    const Curve_jet jet = m_arcs[front.object].jet(range, 2);
+    const Interval side(front.is_reversed ? -1 : 1);
+    return {jet[0], jet[1], side * turned_left(jet[1]), side * turned_left(jet[2])};
+  }
+
+  // Whether a vertex lies on the line or circle of the arc of a front: the disks through it then are half-planes, or have the curvature of the circle.
+  bool is_vertex_on_line_or_circle_of(std::size_t front, std::size_t vertex) const
+  {
+    if (m_fronts[front].is_fan)
+      return false;
+    const Site_arc_2& arc = m_arcs[m_fronts[front].object];
+    const Exact_pair& p = m_vertices[vertex].exact_point;
+    const auto from = [&p](const Exact_pair& q) { return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])}; };
+    if (arc.is_straight())
+      return sign_of(exact_cross(from(arc.at(0)), from(arc.at(1)))) == 0;
+    return arc.circle() && exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
+  }
+
+  // The normal in the begin (0) or end (1) of the parameters of a front, up to its length.
+  Exact_pair exact_normal(const Front& front, bool end) const
+  {
+    if (front.is_fan)
+      return front.exact_normals[end];
+    const Exact_pair tangent = m_arcs[front.object].direction_at(end);
+    return front.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
+  }
+
+  // Whether the first or last normal of a fan is perpendicular to an arc there.
+  bool is_perpendicular(const Front& fan, bool normal, const Arc_end& end) const { return sign_of(exact_dot(fan.exact_normals[normal], direction(end))) == 0; }
+
+  const Exact_pair& exact_point(const Front& front, bool end) const { return m_vertices[front.is_fan ? front.object : vertex_of({front.object, end})].exact_point; }
+
+  // Whether an arc lies on the line or circle of the arc of a front.
+  bool is_on_line_or_circle_of(std::size_t front, std::size_t arc) const
+  {
+    if (m_fronts[front].is_fan)
+      return false;
+    const Site_arc_2 &own = m_arcs[m_fronts[front].object], &other = m_arcs[arc];
+    if (own.is_straight())
+      return other.is_straight() && is_vertex_on_line_or_circle_of(front, m_vertices_of_arc[arc][0]) && is_vertex_on_line_or_circle_of(front, m_vertices_of_arc[arc][1]);
+    return own.circle() && own.circle() == other.circle();
+  }
+
+private:
+  std::size_t vertex_at(const Exact_pair& point)
+  {
+    const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
+    if (is_new)
+      m_vertices.push_back({point, {interval_of(point[0]), interval_of(point[1])}, {}, {}});
+    return position->second;
+  }
+
+  // 0 for directions in the upper half-plane with the positive x-axis, 1 for others
+  static int half(const Exact_pair& d) { return sign_of(d[1]) < 0 || (sign_of(d[1]) == 0 && sign_of(d[0]) < 0); }
+
+  void order_ends(Vertex& vertex) const
+  {
+    std::vector<std::pair<Exact_pair, Arc_end>> directed;
+    for (const Arc_end& end : vertex.ends)
+      directed.emplace_back(direction(end), end);
+    std::stable_sort(directed.begin(), directed.end(), [](const auto& a, const auto& b) {
+      return half(a.first) != half(b.first) ? half(a.first) < half(b.first) : sign_of(exact_cross(a.first, b.first)) > 0;
+    });
+    for (std::size_t i = 0; i < directed.size(); ++i) {
+      vertex.ends[i] = directed[i].second;
+      if (i > 0 && half(directed[i - 1].first) == half(directed[i].first) && sign_of(exact_cross(directed[i - 1].first, directed[i].first)) == 0)
+        throw Invalid_input("curves " + std::to_string(m_curve_of_arc[directed[i - 1].second.arc]) + " and " + std::to_string(m_curve_of_arc[directed[i].second.arc]) +
+                            " leave their common point (" + std::to_string(CGAL::to_double(vertex.exact_point[0])) + ", " + std::to_string(CGAL::to_double(vertex.exact_point[1])) + ") in the same direction");
+    }
+  }
+
+  void find_continuations(const Vertex& vertex)
+  {
+    for (const Arc_end& a : vertex.ends)
+      for (const Arc_end& b : vertex.ends) {
+        const Exact_pair p = direction(a), q = direction(b);
+        if (sign_of(exact_cross(p, q)) != 0 || sign_of(exact_dot(p, q)) > 0)
+          continue;
+        const Exact_pair s = m_arcs[a.arc].derivative_at(a.is_end), t = m_arcs[b.arc].derivative_at(b.is_end);
+        const std::size_t k = sign_of(s[0]) == 0;
+        if (sign_of(s[k]) != 0 && sign_of(t[k]) != 0)
+          m_continuations[a.arc][a.is_end] = {b, CGAL::abs(interval_of(Exact_rational(t[k] / s[k])))};
+      }
+  }
+
+  // The front that is traversed away from an end of an arc, or toward it.
+  static std::size_t departing(const Arc_end& end) { return 2 * end.arc + end.is_end; }
+  static std::size_t arriving(const Arc_end& end) { return 2 * end.arc + !end.is_end; }
+
+  // Between the arcs a and b around a vertex, b clockwise from a, the traversal arrives along a and departs along b.
+  void connect_fronts(std::size_t v)
+  {
+    const Vertex& vertex = m_vertices[v];
+    const std::size_t n = vertex.ends.size();
+    if (n == 0) {
+      const std::array<Exact_pair, 4> axes{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
+      const std::size_t first = m_fronts.size();
+      for (std::size_t k = 0; k < 4; ++k)
+        add_fan(v, axes[k], axes[(k + 1) % 4]);
+      for (std::size_t k = 0; k < 4; ++k)
+        m_fronts[first + k].next = first + (k + 1) % 4;
+      return;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + n - 1) % n];
+      const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])}, to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
+      const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
+      std::size_t last = arriving(a);
+      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, n1); };
+      if (n == 1 || side < 0) {
+        if (n == 1 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
+          const Exact_pair middle = n == 1 ? ahead : between(from, to);
+          turn(from, middle);
+          turn(middle, to);
+        } else
+          turn(from, to);
+      }
+      m_fronts[last].next = departing(b);
+    }
+  }
+
+  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
+  {
+    const auto enclosed = [](const Exact_pair& x) { return Interval_pair{interval_of(x[0]), interval_of(x[1])}; };
+    m_fronts.push_back({true, vertex, false, {from, to}, {enclosed(from), enclosed(to)}});
+    m_vertices[vertex].fans.push_back(m_fronts.size() - 1);
+    return m_fronts.size() - 1;
+  }
+
+  // A direction between two that form an angle of 90 to 180 degrees, the second clockwise from the first: perpendicular to one of them, or near their bisector.
+  static Exact_pair between(const Exact_pair& from, const Exact_pair& to)
+  {
+    const double a = std::atan2(CGAL::to_double(from[1]), CGAL::to_double(from[0])), b = std::atan2(CGAL::to_double(to[1]), CGAL::to_double(to[0]));
+    const double angle = (a + (b < a ? b : b - 2 * CGAL_PI)) / 2;
+    const Exact_pair proposal{Exact_rational(std::cos(angle)), Exact_rational(std::sin(angle))};
+    const auto is_clockwise = [](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(x, y)) < 0; };
+    return is_clockwise(from, proposal) && is_clockwise(proposal, to) ? proposal : Exact_pair{from[1], Exact_rational(-from[0])};
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams: of points and of a triangle in closed form, of points as CGAL finds them; of curves, every disk on every edge is empty and touches both sites, the numbers of vertices, edges and
+// regions satisfy Euler's formula, and motions do not change them.
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using P = K::Point_2;
+using Curve = SC::Bspline_curve_2<K>;
+using Curves = std::vector<Curve>;
+using Diagram = SC::Voronoi_diagram_2<K>;
+
+Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
+
+double distance(const P& p, const P& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+// The number of connected components, with all vertices at infinity in one.
+std::size_t components(const Diagram& diagram)
+{
+  std::vector<std::size_t> parent(diagram.vertices().size() + 1);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](std::size_t v) {
+    while (parent[v] != v)
+      v = parent[v];
+    return v;
+  };
+  for (std::size_t v = 0; v < diagram.vertices().size(); ++v)
+    if (diagram.vertices()[v].is_at_infinity)
+      parent[root(v)] = root(diagram.vertices().size());
+  for (const auto& edge : diagram.edges())
+    parent[root(edge.vertices[0])] = root(edge.vertices[1]);
+  std::size_t result = 0;
+  for (std::size_t v = 0; v < parent.size(); ++v)
+    result += parent[v] == v;
+  return result;
+}
+
+// V - E + F = 1 + C on the sphere, where infinity is one vertex.
+void expect_euler(const Diagram& diagram)
+{
+  const auto far = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity; });
+  const bool has_far = far > 0;
+  const std::size_t vertices = diagram.vertices().size() - static_cast<std::size_t>(far) + has_far, separate = components(diagram) - !has_far;
+  EXPECT_EQ(vertices + diagram.number_of_regions(), diagram.edges().size() + 1 + separate);
+}
+
+struct Counts
+{
+  std::size_t tips = 0, passing = 0, branching = 0, far = 0, edges = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+Counts counts(const Diagram& diagram)
+{
+  Counts result;
+  for (const auto& vertex : diagram.vertices())
+    ++(vertex.is_at_infinity ? result.far : vertex.edges.size() <= 1 ? result.tips : vertex.edges.size() == 2 ? result.passing : result.branching);
+  result.edges = diagram.edges().size();
+  return result;
+}
+
+// Every sample has its radius as the distance from both sites, and nothing is nearer than that: not even one of many points on all curves.
+void expect_empty_disks(const Diagram& diagram, const Curves& curves)
+{
+  std::vector<P> points;
+  for (const auto& site : diagram.sites()) {
+    points.push_back(site.point);
+    for (int i = 1; i < 64 && !site.is_point; ++i)
+      points.push_back(curves[site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64));
+  }
+  std::size_t samples = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
+      ++samples;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
+        const P foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
+        EXPECT_NEAR(distance(sample.point, foot), sample.radius, 1e-8 * (1 + sample.radius)) << "edge " << e << " side " << side;
+      }
+      for (const P& p : points)
+        EXPECT_GT(distance(sample.point, p), sample.radius - 1e-8 * (1 + sample.radius)) << "edge " << e;
+    }
+  EXPECT_GT(samples, diagram.edges().size());
+}
+
+TEST(VoronoiDiagrams, ThreePoints)
+{
+  const Diagram diagram = SC::voronoi_diagram(Curves(), {P(0, 0), P(4, 0), P(0, 2)});
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram), (Counts{0, 0, 1, 3, 3}));
+  EXPECT_EQ(diagram.number_of_regions(), 3U);
+  for (const auto& vertex : diagram.vertices())
+    if (!vertex.is_at_infinity) {
+      EXPECT_NEAR(distance(vertex.point, P(2, 1)), 0, 1e-12);
+      EXPECT_NEAR(vertex.radius, std::sqrt(5.0), 1e-12);
+      EXPECT_EQ(vertex.edges.size(), 3U);
+    }
+  expect_euler(diagram);
+}
+
+TEST(VoronoiDiagrams, PointsAsCGALFindsThem)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(0, 100);
+  for (int run = 0; run < 5; ++run) {
+    std::vector<P> points;
+    for (int i = 0; i < 20; ++i)
+      points.emplace_back(coordinate(random), coordinate(random));
+    CGAL::Delaunay_triangulation_2<K> triangulation(points.begin(), points.end());
+    const Diagram diagram = SC::voronoi_diagram(Curves(), points);
+    EXPECT_TRUE(diagram.is_complete());
+    const std::size_t edges = triangulation.number_of_vertices() + triangulation.number_of_faces() - 1;
+    EXPECT_EQ(diagram.edges().size(), edges);
+    EXPECT_EQ(counts(diagram).branching, triangulation.number_of_faces());
+    for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
+      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(),
+                              [&](const auto& v) { return !v.is_at_infinity && distance(v.point, triangulation.dual(face)) < 1e-7 * (1 + v.radius); }));
+    expect_euler(diagram);
+  }
+}
+
+TEST(VoronoiDiagrams, Triangle)
+{
+  // Sides 3, 4, 5: the incenter is (1, 1).
+  const Curves sides{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(0, 3)}), bezier({P(0, 3), P(0, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(sides);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram), (Counts{3, 0, 1, 0, 3}));
+  for (const auto& vertex : diagram.vertices())
+    if (vertex.edges.size() == 3) {
+      EXPECT_NEAR(distance(vertex.point, P(1, 1)), 0, 1e-12);
+      EXPECT_NEAR(vertex.radius, 1, 1e-12);
+    }
+  expect_euler(diagram);
+  expect_empty_disks(diagram, sides);
+}
+
+TEST(VoronoiDiagrams, CircleHasItsCenter)
+{
+  const Diagram diagram = SC::voronoi_diagram(Curves{SC::ellipse_curve(P(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 3))});
+  EXPECT_TRUE(diagram.is_complete());
+  ASSERT_EQ(diagram.vertices().size(), 1U);
+  EXPECT_NEAR(distance(diagram.vertices()[0].point, P(1, 2)), 0, 1e-12);
+  EXPECT_NEAR(diagram.vertices()[0].radius, 3, 1e-12);
+  EXPECT_TRUE(diagram.edges().empty());
+}
+
+// An open cubic has two bends, with a tip of the diagram in the center of curvature of each.
+TEST(VoronoiDiagrams, TwoCubics)
+{
+  const Curves curves{bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), bezier({P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.number_of_regions(), 2U);
+  EXPECT_EQ(counts(diagram).tips, 4U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+Curves cubics_in_cells(std::mt19937& random, int rows)
+{
+  std::uniform_real_distribution<double> coordinate(1, 9);
+  Curves curves;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) {
+      std::vector<double> x(4);
+      std::generate(x.begin(), x.end(), [&] { return coordinate(random); });
+      std::sort(x.begin(), x.end());
+      std::vector<P> points;
+      for (const double t : x)
+        points.push_back(i % 2 == 0 ? P(10 * i + t, 10 * j + coordinate(random)) : P(10 * i + coordinate(random), 10 * j + t));
+      curves.push_back(bezier(points));
+    }
+  return curves;
+}
+
+TEST(VoronoiDiagrams, RandomScenes)
+{
+  std::mt19937 random(7);
+  const K::Aff_transformation_2 motion(0.6, -0.8, 3, 0.8, 0.6, -5);
+  int complete = 0;
+  for (int run = 0; run < 4; ++run) {
+    const Curves curves = cubics_in_cells(random, 2);
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    if (!diagram.is_complete())
+      continue;
+    ++complete;
+    expect_euler(diagram);
+    expect_empty_disks(diagram, curves);
+    Curves moved;
+    for (const Curve& curve : curves)
+      moved.push_back(curve.transformed(motion));
+    EXPECT_EQ(counts(SC::voronoi_diagram(moved)), counts(diagram));
+  }
+  EXPECT_EQ(complete, 4);
+}
+
+TEST(VoronoiDiagrams, BadInput)
+{
+  EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(1, 1), P(1, 1)})}), SC::Invalid_input);
+  EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(1, 0)}), bezier({P(0, 0), P(2, 0), P(3, 1)})}), SC::Invalid_input);
+  const Diagram diagram = SC::voronoi_diagram(Curves(), {P(0, 0), P(1, 0)});
+  EXPECT_THROW(diagram.polyline(0, 0), SC::Invalid_input);
+  EXPECT_EQ(diagram.polyline(0, 0.1, 0.1).size(), 0U);   // all disks are larger
+}
