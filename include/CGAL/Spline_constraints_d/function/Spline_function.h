@@ -223,6 +223,7 @@ inline Short_integer over_common_denominator(const std::vector<double>& numbers,
   for (double number : numbers)
     finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
   numerators.clear();
+  numerators.reserve(numbers.size());
   for (double number : numbers) {
     auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
     shift_left(mantissa, static_cast<unsigned long>(exponent - finest));

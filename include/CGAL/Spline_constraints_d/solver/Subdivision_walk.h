@@ -358,7 +358,13 @@ private:
       if (known == nullptr)
         m_roots.roots().push_back(std::move(root));
       else if (!m_worker.walk.certification().is_same_root(known->enclosure, root.enclosure)) {
-        open.push_back({root.enclosure.lower, root.enclosure.upper, Undecided_reason::TOLERANCE, cell});
+        Open_box<Coordinate>& box = open.emplace_back();
+        box.reason = Undecided_reason::TOLERANCE;
+        box.cell = cell;
+        for (const auto& [lower, upper] : root.enclosure) {
+          box.lower.push_back(lower);
+          box.upper.push_back(upper);
+        }
         are_counted = false;
       }
     }

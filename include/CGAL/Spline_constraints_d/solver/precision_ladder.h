@@ -110,16 +110,7 @@ private:
 
   bool is_known(const Algebraic_root& root) const
   {
-    Found_root<Exact_rational> found;
-    for (const auto& [lower, upper] : root.region()) {
-      found.lower.push_back(lower);
-      found.upper.push_back(upper);
-    }
-    for (const auto& [lower, upper] : root.box()) {
-      found.enclosure.lower.push_back(lower);
-      found.enclosure.upper.push_back(upper);
-    }
-    return is_known(found);
+    return is_known({root.box(), root.region(), Position::INSIDE});
   }
 
   void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
@@ -199,14 +190,13 @@ private:
   bool is_known(const Found_root<Exact_rational>& root) const
   {
     return std::any_of(m_known.roots().begin(), m_known.roots().end(), [&](const Found_root<double>& known) {
-      const auto lies_in = [&](const auto& outer_lower, const auto& outer_upper, const auto& lower, const auto& upper) {
+      const auto lies_in = [&](const auto& inner, const auto& outer) {
         for (int j = 0; j < m_layout.dimension; ++j)
-          if (Exact_rational(lower[j]) < Exact_rational(outer_lower[j]) || Exact_rational(outer_upper[j]) < Exact_rational(upper[j]))
+          if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) || Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
             return false;
         return true;
       };
-      return lies_in(known.lower, known.upper, root.enclosure.lower, root.enclosure.upper) ||
-             lies_in(root.lower, root.upper, known.enclosure.lower, known.enclosure.upper);
+      return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region);
     });
   }
 };
