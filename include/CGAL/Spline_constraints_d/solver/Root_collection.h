@@ -41,7 +41,10 @@ public:
   Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision,
                   const std::vector<Found_root<Coordinate>>* others = nullptr)
     : Base(others), m_position(system, layout, source), m_precision(precision)
-  {}
+  {
+    constexpr std::size_t few = 16;
+    this->roots().reserve(few);
+  }
 
   // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
   void set_region(const Box_node<NT>& node, Exact_source& source, const Linear_enclosure& linear, double contraction,

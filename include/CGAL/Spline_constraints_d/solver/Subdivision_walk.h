@@ -351,6 +351,8 @@ private:
   bool collect_roots(std::vector<Found_root<Coordinate>>& found, const Cell& cell, std::vector<Open_box<Coordinate>>& open)
   {
     bool are_counted = true;
+    if (m_roots.roots().empty())
+      m_roots.roots().reserve(found.size());
     for (Found_root<Coordinate>& root : found) {
       if (m_roots.is_known(root))
         continue;
