@@ -3,7 +3,7 @@
 
 // Curves of solutions with their topology, and what is done with them: derivatives at a point, extremes, fitted splines and arrangements; there the curve is the quartic of the example curve_geometry.
 // `sequential_to_parallel/...` find curves on one core and on all of them, in turns by the wall clock, which needs SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
-//   benchmark_solution_curves --benchmark_filter=parallel --benchmark_min_time=2
+//   benchmark_solution_curves --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
 
 #include "compare_in_turns.h"
 

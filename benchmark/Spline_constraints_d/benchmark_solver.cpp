@@ -11,7 +11,7 @@
 // `degenerate/touch_to_cross` solves a parabola with a line that touches it and one that crosses it.
 // `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock, and `.../sequential_to_parallel` one system on one core and on all, which needs
 // SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
-//   benchmark_solver --benchmark_filter=parallel --benchmark_min_time=2
+//   benchmark_solver --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
 
