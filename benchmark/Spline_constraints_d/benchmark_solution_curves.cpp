@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Curves of solutions with their topology, and what is done with them: derivatives at a point, extremes, fitted splines and arrangements; there the curve is the quartic of the example curve_geometry.
+// `sequential_to_parallel/...` find curves on one core and on all of them, in turns by the wall clock, which needs SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
+//   benchmark_solution_curves --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
+
+#include "compare_in_turns.h"
 
 #include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
@@ -72,6 +76,17 @@ void solve_curves(benchmark::State& state, const SC::Constraint_system_d& system
     state.counters["nodes"] = static_cast<double>(SC::solve_curves(system).summary().nodes);
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+void sequential_to_parallel(benchmark::State& state, const SC::Constraint_system_d& system)
+{
+  const SC::Solver_options options{.tolerance = 1e-8};
+  const SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Sequential_tag> sequential(options);
+  const SC::Curve_solver_d<SC::Certified_solver_traits, CGAL::Parallel_tag> parallel(options);
+  solver_benchmark::compare_in_turns(state, [&] { benchmark::DoNotOptimize(sequential(system)); }, [&] { benchmark::DoNotOptimize(parallel(system)); }, "sequential", "parallel",
+                                     solver_benchmark::seconds_on_the_wall);
+}
+#endif
+
 void differentials_at_a_point(benchmark::State& state)
 {
   const SC::Constraint_system_d system = make_system(quartic());
@@ -130,6 +145,11 @@ BENCHMARK_CAPTURE(solve_curves, chebyshev_16, chebyshev_product(16))->Unit(bench
 BENCHMARK_CAPTURE(solve_curves, turned_tori, two_tori(SC::Exact_rational(1, 3), true))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve_curves, two_graphs, two_graphs())->Unit(benchmark::kMillisecond);
+#ifdef CGAL_LINKED_WITH_TBB
+BENCHMARK_CAPTURE(sequential_to_parallel, chebyshev_16, chebyshev_product(16))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sequential_to_parallel, turned_tori, two_tori(SC::Exact_rational(1, 3), true))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sequential_to_parallel, tori_side_by_side, two_tori(SC::Exact_rational(1, 100), false))->Unit(benchmark::kMillisecond);
+#endif
 BENCHMARK(differentials_at_a_point)->Unit(benchmark::kMicrosecond);
 BENCHMARK(differentials_at_a_vertex)->Unit(benchmark::kMicrosecond);
 BENCHMARK(turning_points)->Unit(benchmark::kMillisecond);

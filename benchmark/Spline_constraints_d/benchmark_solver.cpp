@@ -9,11 +9,14 @@
 // The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns,
 // `univariate/...` one with the path for one unknown and the one for many.
 // `degenerate/touch_to_cross` solves a parabola with a line that touches it and one that crosses it.
-// `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock.
+// `batch/...` solve 1,000 small systems in one call and one by one, by the wall clock, and `.../sequential_to_parallel` one system on one core and on all, which needs
+// SPLINE_CONSTRAINTS_WITH_TBB=ON and cores with nothing else to do:
+//   benchmark_solver --benchmark_filter=sequential_to_parallel --benchmark_min_time=2
 //
 // Times on a shared machine: --benchmark_repetitions=5 --benchmark_report_aggregates_only --benchmark_min_time=0.05
 
 #include "benchmark_systems.h"
+#include "compare_in_turns.h"
 
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
@@ -22,8 +25,6 @@
 
 #include <time.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -85,38 +86,12 @@ void solve(benchmark::State& state, const System& system)
   state.counters["refinement"] = refinement / total;
 }
 
-double median(std::vector<double> times)
-{
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
-}
-
-// Both in turns, so that what else the machine does hits both alike. The ratio is that of the medians.
-template <class First, class Second, class Clock>
-void compare(benchmark::State& state, const First& first, const Second& second, const std::string& first_name, const std::string& second_name, const Clock& clock)
-{
-  std::vector<double> first_times, second_times;
-  const auto run = [&](const auto& solve_all, std::vector<double>& times) {
-    const double start = clock();
-    solve_all();
-    times.push_back(clock() - start);
-  };
-  for (auto _ : state) {
-    run(first, first_times);
-    run(second, second_times);
-  }
-  state.counters[first_name + "_ms"] = 1000 * median(first_times);
-  state.counters[second_name + "_ms"] = 1000 * median(second_times);
-  state.counters[first_name + "_to_" + second_name] = median(first_times) / median(second_times);
-}
-
 template <class First, class Second>
 void compare_traits(benchmark::State& state, const System& system, const std::string& first_name, const std::string& second_name)
 {
   const SC::Subdivision_solver_d<First> first(limits());
   const SC::Subdivision_solver_d<Second> second(limits());
-  compare(state, [&] { benchmark::DoNotOptimize(first(system)); }, [&] { benchmark::DoNotOptimize(second(system)); }, first_name, second_name, seconds_of_thread);
+  compare_in_turns(state, [&] { benchmark::DoNotOptimize(first(system)); }, [&] { benchmark::DoNotOptimize(second(system)); }, first_name, second_name, seconds_of_thread);
 }
 
 void certified_to_fast(benchmark::State& state, const System& system)
@@ -133,7 +108,7 @@ void univariate_to_general(benchmark::State& state, const System& system)
 void touch_to_cross(benchmark::State& state)
 {
   const System touch = parabola_and_line("", 0).system, cross = parabola_and_line("", solver_test::fraction(1, 4)).system;
-  compare(state, [&] { benchmark::DoNotOptimize(SC::solve(touch)); }, [&] { benchmark::DoNotOptimize(SC::solve(cross)); }, "touch", "cross", seconds_of_thread);
+  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve(touch)); }, [&] { benchmark::DoNotOptimize(SC::solve(cross)); }, "touch", "cross", seconds_of_thread);
 }
 
 template <class Concurrency_tag>
@@ -144,9 +119,16 @@ void batch_to_loop(benchmark::State& state)
     for (const System& system : systems)
       benchmark::DoNotOptimize(SC::solve(system));
   };
-  const auto wall_clock = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
-  compare(state, [&] { benchmark::DoNotOptimize(SC::solve<Concurrency_tag>(systems)); }, loop, "batch", "loop", wall_clock);
+  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve<Concurrency_tag>(systems)); }, loop, "batch", "loop", seconds_on_the_wall);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+void sequential_to_parallel(benchmark::State& state, const System& system)
+{
+  compare_in_turns(state, [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Sequential_tag>(system)); }, [&] { benchmark::DoNotOptimize(SC::solve<CGAL::Parallel_tag>(system)); },
+                   "sequential", "parallel", seconds_on_the_wall);
+}
+#endif
 
 using Run = void (*)(benchmark::State&, const System&);
 
@@ -222,6 +204,8 @@ bool add_all()
   benchmark::RegisterBenchmark("batch/quadratic/sequential", batch_to_loop<CGAL::Sequential_tag>)->Unit(benchmark::kMillisecond);
 #ifdef CGAL_LINKED_WITH_TBB
   benchmark::RegisterBenchmark("batch/quadratic/parallel", batch_to_loop<CGAL::Parallel_tag>)->Unit(benchmark::kMillisecond);
+  for (const Named_system& problem : {katsura(4), katsura(5), mixed(4, 3), chebyshev_curves(30)})
+    add(problem, {{"sequential_to_parallel", sequential_to_parallel}});
 #endif
   return true;
 }

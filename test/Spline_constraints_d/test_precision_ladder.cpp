@@ -111,6 +111,22 @@ TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
   expect_nothing_lost(problem.known, stopped);
 }
 
+// The lines that touch four spheres: double roots for whose proof the zero bound asks too many bits. The boxes do not climb, since no rung would tell.
+TEST(Precision_ladder, DoubleRootsBeyondTheZeroBound)
+{
+  const Polynomial z = Polynomial::variable(2), xx = square(x), yy = square(y), zz = square(z);
+  const Coordinate plus = Coordinate::near(std::sqrt(0.5)), minus = Coordinate::near(-std::sqrt(0.5)), zero = Coordinate::near(0);
+  Problem problem{"lines that touch four spheres", with_equalities(cube(3, -1, 1), {x * y * z, xx * yy + yy * zz + zz * xx - fraction(1, 4), xx + yy + zz - 1}), 12, {}};
+  for (const Coordinate& a : {plus, minus})
+    for (const Coordinate& b : {plus, minus})
+      problem.known.insert(problem.known.end(), {{a, b, zero}, {b, zero, a}, {zero, a, b}});
+  const auto solutions = solve(problem.system), without_ladder = solve(problem.system, {.ladder_precision = 0});
+  expect_nothing_lost(problem.known, solutions);
+  EXPECT_EQ(solutions.size(), 12u);
+  EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);
+  EXPECT_EQ(solutions.summary().nodes, without_ladder.summary().nodes);
+}
+
 // A pair across a break, and one on the faces of the domain.
 TEST(Precision_ladder, BreaksAndFaces)
 {

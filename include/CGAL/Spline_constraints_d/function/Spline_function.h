@@ -190,18 +190,16 @@ void substitute_affine(std::vector<NT>& coefficients, const std::vector<int>& de
 inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const std::vector<int>& degrees, std::size_t axis)
 {
   const int degree = degrees[axis];
-  std::vector<Short_integer> binomials(degree + 1, Short_integer(1));
-  for (int k = 1; k < degree; ++k) {
-    binomials[k] = binomials[k - 1];
-    binomials[k] *= degree - k + 1;
-    binomials[k] /= k;
-  }
   visit_rows(coefficients, degrees, axis, [&](Short_integer* a, std::size_t step) {
     for (int r = 1; r <= degree; ++r)
       for (int k = degree; k >= r; --k)
         a[step * k] -= a[step * (k - 1)];
-    for (int k = 1; k < degree; ++k)
-      a[step * k] *= binomials[k];
+    Short_integer binomial(1);
+    for (int k = 1; k < degree; ++k) {
+      binomial *= degree - k + 1;
+      binomial /= k;
+      a[step * k] *= binomial;
+    }
   });
 }
 
@@ -223,6 +221,7 @@ inline Short_integer over_common_denominator(const std::vector<double>& numbers,
   for (double number : numbers)
     finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
   numerators.clear();
+  numerators.reserve(numbers.size());
   for (double number : numbers) {
     auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
     shift_left(mantissa, static_cast<unsigned long>(exponent - finest));

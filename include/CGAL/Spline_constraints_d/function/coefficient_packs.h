@@ -48,6 +48,7 @@ inline void store(double* to, const Pack& pack) { _mm_storeu_pd(to, pack.numbers
 // As for doubles below, also where a number is not one.
 inline Pack lesser(const Pack& a, const Pack& b) { return Pack(_mm_min_pd(b.numbers, a.numbers)); }
 inline Pack greater(const Pack& a, const Pack& b) { return Pack(_mm_max_pd(b.numbers, a.numbers)); }
+inline Pack magnitude(const Pack& a) { return Pack(_mm_andnot_pd(_mm_set1_pd(-0.0), a.numbers)); }
 
 #else
 
@@ -72,6 +73,7 @@ inline void store(double* to, const Pack& pack)
 }
 inline Pack lesser(const Pack& a, const Pack& b) { return {b.first < a.first ? b.first : a.first, b.second < a.second ? b.second : a.second}; }
 inline Pack greater(const Pack& a, const Pack& b) { return {b.first > a.first ? b.first : a.first, b.second > a.second ? b.second : a.second}; }
+inline Pack magnitude(const Pack& a) { return {std::abs(a.first), std::abs(a.second)}; }
 
 #endif
 
@@ -79,6 +81,7 @@ inline double load(double, const double* from) { return *from; }
 inline void store(double* to, double number) { *to = number; }
 inline double lesser(double a, double b) { return b < a ? b : a; }
 inline double greater(double a, double b) { return b > a ? b : a; }
+inline double magnitude(double a) { return std::abs(a); }
 
 // step(k) for k = 0..count-1, with k known to the compiler.
 template <int count, class Step>

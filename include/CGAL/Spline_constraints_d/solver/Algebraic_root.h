@@ -23,7 +23,29 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
+// A closed range per unknown.
+template <class Coordinate>
+using Coordinate_box = std::vector<std::pair<Coordinate, Coordinate>>;
+using Exact_box = Coordinate_box<Exact_rational>;
+
+template <class Coordinate>
+bool contains(const Coordinate_box<Coordinate>& outer, const Coordinate_box<Coordinate>& inner)
+{
+  for (std::size_t j = 0; j < outer.size(); ++j)
+    if (inner[j].first < outer[j].first || outer[j].second < inner[j].second)
+      return false;
+  return true;
+}
+
+template <class Coordinate>
+Coordinate_box<Coordinate> make_box(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
+{
+  Coordinate_box<Coordinate> box;
+  box.reserve(lower.size());
+  for (std::size_t j = 0; j < lower.size(); ++j)
+    box.emplace_back(lower[j], upper[j]);
+  return box;
+}
 
 /*
 n equations in n unknowns: polynomials; or the first n - 1 of n polynomials and the determinant of the Jacobian of all of them, which is zero at their multiple roots. The determinant is not

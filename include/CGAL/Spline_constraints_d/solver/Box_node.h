@@ -49,11 +49,12 @@ inline double place_above(double lower, double upper, double t)
 
 // The last coordinate of few digits at or below x, for a range of the given width, which grows by no more than a thousandth: the fewer digits the ends of boxes have, the shorter
 // are the numbers where functions are built on them exactly.
-// \pre width > 2^-1000
+// \pre 2^-900 < width < 2^1000
 inline double short_below(double x, double width)
 {
-  const double unit = 0x1p-10 * std::bit_cast<double>(std::bit_cast<std::uint64_t>(width) & 0x7ff0000000000000);   // the exponent alone: a power of two
-  return std::floor(x / unit) * unit;
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(width) & 0x7ff0000000000000;   // alone: a power of two
+  const double unit = 0x1p-10 * std::bit_cast<double>(exponent), inverse = 0x1p10 * std::bit_cast<double>(0x7fe0000000000000 - exponent);
+  return std::floor(x * inverse) * unit;
 }
 
 inline double short_above(double x, double width) { return -short_below(-x, width); }
@@ -223,7 +224,7 @@ void Box_node<NT>::restrict_to(const System_layout& layout, const Local_box& par
     Coordinate new_lower = part.lower[j] == -0.5 ? lower[j] : place_below(lower[j], upper[j], part.lower[j] + 0.5);
     Coordinate new_upper = part.upper[j] == 0.5 ? upper[j] : place_above(lower[j], upper[j], part.upper[j] + 0.5);
     if constexpr (std::is_same_v<Coordinate, double>)
-      if (const double width = new_upper - new_lower; width > 0x1p-900) {
+      if (const double width = new_upper - new_lower; 0x1p-900 < width && width < 0x1p1000) {
         new_lower = short_below(new_lower, width);
         new_upper = short_above(new_upper, width);
       }

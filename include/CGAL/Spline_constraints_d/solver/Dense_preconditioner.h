@@ -27,7 +27,7 @@ bounds are taken, where they share blocks.
 class Dense_preconditioner
 {
   const System_layout* m_source = nullptr;
-  bool m_is_shared = false, m_is_cheap = false;
+  bool m_is_cheap = false;
   System_layout m_layout;   // of what is formed
   std::unique_ptr<Node_view> m_view;
   std::vector<std::size_t> m_block;          // of the source
@@ -42,8 +42,18 @@ public:
       lay_out(source);
   }
 
-  // Every block that holds an equality holds them all.
-  bool is_shared() const { return m_is_shared; }
+  // Every block that holds an equality holds them all, and some have several axes: along single ones, as of two curves, nothing cancels that the linear rows do not see.
+  static bool may_pay(const System_layout& layout)
+  {
+    bool has_several_axes = false;
+    for (const Block& block : layout.blocks)
+      if (block.holds_equalities(layout.equalities)) {
+        if (members_of(block, layout.equalities) < static_cast<std::size_t>(layout.equalities))
+          return false;
+        has_several_axes = has_several_axes || block.axes.size() > 1;
+      }
+    return has_several_axes;
+  }
 
   // By counted operations, to form C f costs no more than to split the node and look at both halves: n multiplications per coefficient, beside half a degree for the split and about
   // a dozen operations in the passes that bound functions, slopes, derivatives and layers, each on two nodes.
@@ -88,15 +98,15 @@ private:
   }
 
   // How many equalities a block holds.
-  std::size_t members_of(const Block& block) const
+  static std::size_t members_of(const Block& block, int equalities)
   {
-    return static_cast<std::size_t>(std::lower_bound(block.functions.begin(), block.functions.end(), m_layout.equalities) - block.functions.begin());
+    return static_cast<std::size_t>(std::lower_bound(block.functions.begin(), block.functions.end(), equalities) - block.functions.begin());
   }
 
   // The columns of C for the equalities that a block holds; returns their number.
   std::size_t select_columns(const Block& block)
   {
-    const std::size_t n = m_layout.equalities, members = members_of(block);
+    const std::size_t n = m_layout.equalities, members = members_of(block, m_layout.equalities);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < members; ++i)
         m_columns[j * members + i] = m_matrix[j * n + block.functions[i]];
@@ -132,12 +142,9 @@ private:
     m_source = &source;
     m_layout = System_layout::of_combined_equalities(source);
     m_block.clear();
-    m_is_shared = true;
     for (std::size_t b = 0; b < source.blocks.size(); ++b)
-      if (source.blocks[b].holds_equalities(source.equalities)) {
+      if (source.blocks[b].holds_equalities(source.equalities))
         m_block.push_back(b);
-        m_is_shared = m_is_shared && members_of(source.blocks[b]) == static_cast<std::size_t>(source.equalities);
-      }
     double products = 0, passes = 0;
     for (const Block& block : m_layout.blocks) {
       const double degrees = std::accumulate(block.degrees.begin(), block.degrees.end(), 0.0);

@@ -204,10 +204,13 @@ inline void Fixed_point_source::gather_constants()
 inline void Fixed_point_source::compute_basis(int degree, Unsigned_fixed_point t)
 {
   const Unsigned_fixed_point rest = fixed_point_one - t;
-  m_basis.assign(degree + 1, 0);
-  m_basis[0] = fixed_point_one;
-  for (int r = 1; r <= degree; ++r) {
-    for (int k = r; k > 0; --k)
+  m_basis.resize(degree + 1);
+  m_basis[0] = degree == 0 ? fixed_point_one : rest;
+  if (degree > 0)
+    m_basis[1] = t;
+  for (int r = 2; r <= degree; ++r) {
+    m_basis[r] = unsigned_product(m_basis[r - 1], t);
+    for (int k = r - 1; k > 0; --k)
       m_basis[k] = unsigned_product(m_basis[k], rest) + unsigned_product(m_basis[k - 1], t);
     m_basis[0] = unsigned_product(m_basis[0], rest);
   }

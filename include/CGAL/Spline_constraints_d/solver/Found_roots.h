@@ -5,7 +5,6 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_FOUND_ROOTS_H
 
 #include <CGAL/Spline_constraints_d/solver/Root_position.h>
-#include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 
 #include <vector>
 
@@ -17,8 +16,7 @@ namespace internal {
 template <class Coordinate>
 struct Found_root
 {
-  Root_enclosure<Coordinate> enclosure;
-  std::vector<Coordinate> lower, upper;   // the region
+  Coordinate_box<Coordinate> enclosure, region;
   Position position;
 };
 
@@ -40,31 +38,31 @@ public:
   const std::vector<Found_root<Coordinate>>& roots() const { return m_roots; }
 
   // A known root whose enclosure meets another one.
-  const Found_root<Coordinate>* root_that_meets(const Root_enclosure<Coordinate>& enclosure) const
+  const Found_root<Coordinate>* root_that_meets(const Coordinate_box<Coordinate>& enclosure) const
   {
     return find([&](const Found_root<Coordinate>& root) {
-      for (std::size_t j = 0; j < enclosure.lower.size(); ++j)
-        if (root.enclosure.upper[j] < enclosure.lower[j] || enclosure.upper[j] < root.enclosure.lower[j])
+      for (std::size_t j = 0; j < enclosure.size(); ++j)
+        if (root.enclosure[j].second < enclosure[j].first || enclosure[j].second < root.enclosure[j].first)
           return false;
       return true;
     });
   }
 
   // The box lies in the region of a known root.
-  bool is_covered(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper) const
+  bool is_covered(const Coordinate_box<Coordinate>& box) const
   {
-    return find([&](const Found_root<Coordinate>& root) { return contains(root.lower, root.upper, lower, upper); }) != nullptr;
+    return find([&](const Found_root<Coordinate>& root) { return contains(root.region, box); }) != nullptr;
   }
 
   // An enclosure lies in a known region, or its region holds the enclosure of a known root, which then is the same.
-  bool is_known(const Root_enclosure<Coordinate>& enclosure, const std::vector<Coordinate>& region_lower, const std::vector<Coordinate>& region_upper) const
+  bool is_known(const Coordinate_box<Coordinate>& enclosure, const Coordinate_box<Coordinate>& region) const
   {
-    if (is_covered(enclosure.lower, enclosure.upper))
+    if (is_covered(enclosure))
       return true;
     const auto* known = root_that_meets(enclosure);
-    return known != nullptr && contains(region_lower, region_upper, known->enclosure.lower, known->enclosure.upper);
+    return known != nullptr && contains(region, known->enclosure);
   }
-  bool is_known(const Found_root<Coordinate>& root) const { return is_known(root.enclosure, root.lower, root.upper); }
+  bool is_known(const Found_root<Coordinate>& root) const { return is_known(root.enclosure, root.region); }
 
 private:
   template <class Predicate>
@@ -76,15 +74,6 @@ private:
           if (is_wanted(root))
             return &root;
     return nullptr;
-  }
-
-  static bool contains(const std::vector<Coordinate>& outer_lower, const std::vector<Coordinate>& outer_upper,
-                       const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
-  {
-    for (std::size_t j = 0; j < lower.size(); ++j)
-      if (lower[j] < outer_lower[j] || outer_upper[j] < upper[j])
-        return false;
-    return true;
   }
 };
 

@@ -145,10 +145,7 @@ bool Linear_enclosure::contract_by_row(const double* row, double lower, double u
   const int n = size > 0 ? size : m_dimension;
   double sum_lower = lower, sum_upper = upper, row_size = (std::max)(std::abs(lower), std::abs(upper));
   for (int k = 0; k < n; ++k) {
-    const double a = row[k];
-    if (a == 0)
-      continue;
-    const double u = a * box.lower[k], v = a * box.upper[k];
+    const double a = row[k], u = a * box.lower[k], v = a * box.upper[k];
     sum_lower += (std::min)(u, v);
     sum_upper += (std::max)(u, v);
     row_size += std::abs(a);

@@ -59,6 +59,7 @@ class Node_view
   std::span<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
   std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
   std::span<double> m_block_rest_lower, m_block_rest_upper;
+  std::span<double> m_line_slopes, m_line_rest_lower, m_line_rest_upper;   // of blocks with one axis or none, per block and function
   std::vector<int> m_index;
 
 public:
@@ -136,7 +137,7 @@ private:
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
   template <int members>
-  void enclose_line(const internal::Block& block, const Plan& plan);
+  void bound_line(const internal::Block& block, const Plan& plan);
   template <int members>
   void compute_slopes(const internal::Block& block);
   template <int members>
@@ -157,6 +158,8 @@ private:
   // The number of functions of a block, from visit_blocks().
   template <int members>
   static std::size_t functions_of(const internal::Block& block) { return members > 0 ? static_cast<std::size_t>(members) : block.functions.size(); }
+
+  static bool is_line(const internal::Block& block) { return block.axes.size() <= 1; }
 
   // What varies faster than the first axis.
   static std::size_t inner_size(const internal::Block& block) { return block.axes.empty() ? block.functions.size() : block.lengths[1]; }
@@ -195,7 +198,8 @@ inline Node_view::Node_view(const internal::System_layout& layout)
                 {&m_slopes, entries}, {&m_rest_lower, functions}, {&m_rest_upper, functions}, {&m_derivative_lower, entries},
                 {&m_derivative_upper, entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
                 {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
-                {&m_block_rest_lower, members}, {&m_block_rest_upper, members}});
+                {&m_block_rest_lower, members}, {&m_block_rest_upper, members}, {&m_line_slopes, layout.errors}, {&m_line_rest_lower, layout.errors},
+                {&m_line_rest_upper, layout.errors}});
   m_index.resize(layout.dimension);
 }
 
@@ -204,7 +208,17 @@ inline void Node_view::bound_blocks()
   m_has_bounds = true;
   for (auto* v : {&m_hull_lower, &m_hull_upper})
     std::fill(v->begin(), v->end(), 0.0);
-  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) { bound_block<members>(block, plan); });
+  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
+    if (is_line(block))
+      bound_line<members>(block, plan);
+    else
+      bound_block<members>(block, plan);
+    const std::size_t functions = functions_of<members>(block);
+    for (std::size_t m = 0; m < functions; ++m) {
+      m_hull_lower[block.functions[m]] += m_block_lower[block.first_error + m];
+      m_hull_upper[block.functions[m]] += m_block_upper[block.first_error + m];
+    }
+  });
 }
 
 // Bounds over the first axis are kept: they serve the layers along all others.
@@ -224,14 +238,41 @@ void Node_view::bound_block(const internal::Block& block, const Plan& plan)
       functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
       [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
   const double* errors = m_errors + block.first_error;
-  const int* function = block.functions.data();
   for (std::size_t m = 0; m < functions; ++m) {
     const double error = errors[m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
     lower[m] -= error;
     upper[m] += error;
-    m_hull_lower[function[m]] += lower[m];
-    m_hull_upper[function[m]] += upper[m];
   }
+}
+
+// Along a line, what the affine enclosure needs comes with the bounds.
+template <int members>
+void Node_view::bound_line(const internal::Block& block, const Plan& plan)
+{
+  const std::size_t functions = functions_of<members>(block), count = block.points, entry = block.first_error;
+  const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
+  internal::for_each_place(functions, [&](auto type, std::size_t m) {
+    const auto first = internal::load(type, data + m);
+    auto least = first, most = first, rest_least = first, rest_most = first, slope = first - first;
+    if (count > 1) {
+      slope = internal::load(type, data + (count - 1) * functions + m) - first;
+      rest_least = rest_most = first - slope * greville[0];
+      for (std::size_t k = 1; k < count; ++k) {
+        const auto value = internal::load(type, data + k * functions + m), rest = value - slope * greville[k];
+        least = internal::lesser(least, value);
+        most = internal::greater(most, value);
+        rest_least = internal::lesser(rest_least, rest);
+        rest_most = internal::greater(rest_most, rest);
+      }
+    }
+    const auto size = internal::greater(internal::magnitude(least), internal::magnitude(most)), given = internal::load(type, m_errors + entry + m);
+    const auto error = given + size * internal::analysis_error, rest_error = given + (size + internal::magnitude(slope)) * internal::analysis_error;
+    internal::store(m_block_lower.data() + entry + m, least - error);
+    internal::store(m_block_upper.data() + entry + m, most + error);
+    internal::store(m_line_slopes.data() + entry + m, slope);
+    internal::store(m_line_rest_lower.data() + entry + m, rest_least - rest_error);
+    internal::store(m_line_rest_upper.data() + entry + m, rest_most + rest_error);
+  });
 }
 
 inline void Node_view::enclose_blocks()
@@ -241,11 +282,18 @@ inline void Node_view::enclose_blocks()
   for (auto* v : {&m_rest_lower, &m_rest_upper, &m_slopes})
     std::fill(v->begin(), v->end(), 0.0);
   visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
-    if (block.axes.size() <= 1)
-      enclose_line<members>(block, plan);
-    else
-      enclose_block<members>(block, plan);
     const std::size_t functions = functions_of<members>(block), axes = block.axes.size();
+    if (is_line(block)) {
+      for (std::size_t m = 0; m < functions; ++m) {
+        const std::size_t f = block.functions[m], entry = block.first_error + m;
+        if (axes == 1)
+          m_slopes[f * m_layout->dimension + block.axes[0]] += m_line_slopes[entry];
+        m_rest_lower[f] += m_line_rest_lower[entry];
+        m_rest_upper[f] += m_line_rest_upper[entry];
+      }
+      return;
+    }
+    enclose_block<members>(block, plan);
     for (std::size_t m = 0; m < functions; ++m) {
       const int f = block.functions[m];
       const std::size_t entry = block.first_error + m;
@@ -292,31 +340,6 @@ void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
   };
   internal::bound_ranges<members>(functions, {block.size() / plan.row, plan.row, plan.row}, rest, rest, m_block_rest_lower.data(), m_block_rest_upper.data(),
                                   base);
-}
-
-// The same where there is nothing to tabulate.
-template <int members>
-void Node_view::enclose_line(const internal::Block& block, const Plan& plan)
-{
-  const std::size_t functions = functions_of<members>(block), count = block.points;
-  const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
-  internal::for_each_place(functions, [&](auto type, std::size_t m) {
-    decltype(type) least = internal::load(type, data + m), most = least;
-    if (count > 1) {
-      const decltype(type) slope = internal::load(type, data + (count - 1) * functions + m) - least;
-      internal::store(m_block_slopes.data() + m, slope);
-      least = least - slope * greville[0];
-      most = least;
-      for (std::size_t k = 1; k < count; ++k) {
-        const decltype(type) rest = internal::load(type, data + k * functions + m) - slope * greville[k];
-        least = internal::lesser(least, rest);
-        most = internal::greater(most, rest);
-      }
-    } else if (!block.axes.empty())
-      internal::store(m_block_slopes.data() + m, decltype(type)(0.0));
-    internal::store(m_block_rest_lower.data() + m, least);
-    internal::store(m_block_rest_upper.data() + m, most);
-  });
 }
 
 // Sums over the slowest axis are taken once and serve all faster ones.

@@ -51,7 +51,7 @@ class Root_certification
   Piecewise m_piecewise;
   Certified_region<Coordinate> m_across;
   Local_box m_part;
-  std::vector<Coordinate> m_corner[2];
+  Coordinate_box<Coordinate> m_solutions;   // where those of a node lie
   // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs only a few of them.
   static constexpr double m_fine_contraction = 0.2;
   double m_seconds = 0;
@@ -157,10 +157,10 @@ public:
   }
 
   // Two enclosures that meet while neither lies in the other's region: the same root when a box around both holds only one.
-  bool is_same_root(const Root_enclosure<Coordinate>& a, const Root_enclosure<Coordinate>& b)
+  bool is_same_root(const Coordinate_box<Coordinate>& a, const Coordinate_box<Coordinate>& b)
   {
     for (int j = 0; j < m_layout.dimension; ++j) {
-      const Coordinate lower = (std::min)(a.lower[j], b.lower[j]), upper = (std::max)(a.upper[j], b.upper[j]);
+      const Coordinate lower = (std::min)(a[j].first, b[j].first), upper = (std::max)(a[j].second, b[j].second);
       const double margin = 8 * CGAL::to_double(Coordinate(upper - lower));
       m_across.lower[j] = below(lower, margin);
       m_across.upper[j] = above(upper, margin);
@@ -212,20 +212,21 @@ private:
   // around the enclosure, with fresh coefficients; or, where that would come near other roots, around its middle.
   bool refine_and_add(const Cell& cell)
   {
-    Root_enclosure<Coordinate> enclosure = m_roots.refine();
+    const Root_enclosure<Coordinate>* enclosure = &m_roots.refine();
     for (const double least_margin : {0x1p-24, 0x1p-34, 0x1p-44, 0x1p-44, 0x1p-44}) {
       const bool is_first = least_margin == 0x1p-24;
-      if (enclosure.error <= 16 || (!is_first && !is_wide(enclosure)))
+      if (enclosure->error <= 16 || (!is_first && !is_wide(*enclosure)))
         break;
-      if (certify_close_to(cell, enclosure, least_margin, false) ||
-          (m_layout.equalities == m_layout.dimension && is_wide(enclosure) && certify_close_to(cell, enclosure, least_margin, true)))
-        enclosure = m_roots.refine();
+      if (certify_close_to(cell, *enclosure, least_margin, false) ||
+          (m_layout.equalities == m_layout.dimension && is_wide(*enclosure) && certify_close_to(cell, *enclosure, least_margin, true)))
+        enclosure = &m_roots.refine();
     }
-    const auto* known = m_roots.root_that_meets(enclosure);
-    if (known == nullptr || m_roots.is_known(enclosure))
-      m_roots.add(std::move(enclosure));
-    else if (!is_same_root(known->enclosure, enclosure))
-      return false;   // the same or another one: not to be counted
+    Coordinate_box<Coordinate> box = make_box(enclosure->lower, enclosure->upper);
+    if (m_roots.is_known(box))
+      return true;
+    if (const auto* known = m_roots.root_that_meets(box))
+      return is_same_root(known->enclosure, box);   // or else it may be another one: not to be counted
+    m_roots.add(std::move(box));
     return true;
   }
 
@@ -309,15 +310,14 @@ private:
   // All roots of the node lie in a region whose only root was found before.
   bool is_known(const Node& node, const Linear_enclosure& linear, const Local_box& part)
   {
-    for (auto& corner : m_corner)
-      corner.resize(m_layout.dimension);
+    m_solutions.resize(m_layout.dimension);
     for (int j = 0; j < m_layout.dimension; ++j) {
       const double centre = linear.centre(j), reach = linear.reach(j);
       const double lo = (std::max)(part.lower[j], centre - reach), hi = (std::min)(part.upper[j], centre + reach);
-      m_corner[0][j] = lo == -0.5 ? node.lower[j] : place_below(node.lower[j], node.upper[j], lo + 0.5);
-      m_corner[1][j] = hi == 0.5 ? node.upper[j] : place_above(node.lower[j], node.upper[j], hi + 0.5);
+      m_solutions[j].first = lo == -0.5 ? node.lower[j] : place_below(node.lower[j], node.upper[j], lo + 0.5);
+      m_solutions[j].second = hi == 0.5 ? node.upper[j] : place_above(node.lower[j], node.upper[j], hi + 0.5);
     }
-    return m_roots.is_covered(m_corner[0], m_corner[1]);
+    return m_roots.is_covered(m_solutions);
   }
 };
 

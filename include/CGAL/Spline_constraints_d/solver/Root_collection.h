@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,7 +32,7 @@ class Root_collection : public Found_roots<typename Number_traits<NT>::Coordinat
   Root_position<NT> m_position;
   Certified_region<Coordinate> m_region;
   std::vector<NT> m_coefficients;   // on the region, where it is the box of a node
-  std::vector<Coordinate> m_first_lower, m_first_upper;
+  Coordinate_box<Coordinate> m_first_box;
   int m_precision;
 
 public:
@@ -40,7 +41,10 @@ public:
   Root_collection(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, int precision,
                   const std::vector<Found_root<Coordinate>>* others = nullptr)
     : Base(others), m_position(system, layout, source), m_precision(precision)
-  {}
+  {
+    constexpr std::size_t few = 16;
+    this->roots().reserve(few);
+  }
 
   // Notes that the box of a node holds exactly one root. The first region of a root is the largest, the last one serves the refinement.
   void set_region(const Box_node<NT>& node, Exact_source& source, const Linear_enclosure& linear, double contraction,
@@ -62,20 +66,16 @@ public:
     for (int j = 0; j < n; ++j)
       m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);
     m_coefficients = node.coefficients;
-    if (is_first) {
-      m_first_lower = node.lower;
-      m_first_upper = node.upper;
-    }
+    if (is_first)
+      m_first_box = make_box(node.lower, node.upper);
   }
 
   void set_region(const Certified_region<Coordinate>& region, bool is_first)
   {
     m_region = region;
     m_coefficients.clear();
-    if (is_first) {
-      m_first_lower = region.lower;
-      m_first_upper = region.upper;
-    }
+    if (is_first)
+      m_first_box = make_box(region.lower, region.upper);
   }
 
   // Leaves the part of a box that lies in the region; they meet.
@@ -87,8 +87,8 @@ public:
     }
   }
 
-  // A tight enclosure of the root of the region.
-  Root_enclosure<Coordinate> refine()
+  // A tight enclosure of the root of the region, which stays until the next call.
+  const Root_enclosure<Coordinate>& refine()
   {
     if constexpr (std::is_same_v<NT, double>)
       if (!m_coefficients.empty())
@@ -97,15 +97,13 @@ public:
   }
 
   // Whether the root of the region, in this enclosure, is a known one.
-  bool is_known(const Root_enclosure<Coordinate>& enclosure) const { return is_known(enclosure, m_first_lower, m_first_upper); }
+  bool is_known(const Coordinate_box<Coordinate>& enclosure) const { return is_known(enclosure, m_first_box); }
 
-  // Keeps the root of the region unless it is known.
-  void add(Root_enclosure<Coordinate> enclosure)
+  // Keeps the root of the region, with the enclosure that was found last.
+  void add(Coordinate_box<Coordinate> enclosure)
   {
-    if (is_known(enclosure))
-      return;
-    const Position position = m_position.decide(m_region, enclosure);
-    this->roots().push_back({std::move(enclosure), m_first_lower, m_first_upper, position});
+    const Position position = m_position.decide(m_region, m_refinement.enclosure());
+    this->roots().push_back({std::move(enclosure), std::move(m_first_box), position});
   }
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_ROOT_REFINEMENT_H
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+#include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 
@@ -71,7 +72,7 @@ Newton's iteration in double, on the coefficients of a box: where the one with e
 */
 class Approximate_refinement
 {
-  std::vector<double> m_values, m_work, m_binomials, m_basis;
+  std::vector<double> m_values, m_work, m_binomials;
 
 public:
   // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
@@ -111,11 +112,14 @@ private:
       for (std::size_t j = 0; j < block.axes.size(); ++j, rest = work) {
         const int degree = block.degrees[j];
         const std::size_t inner = block.lengths[j + 1];
-        const double* basis = compute_basis(degree, point[block.axes[j]]);
-        for_each_place(inner, [&](auto type, std::size_t i) {
-          auto sum = load(type, rest + i) * basis[0];
-          for (int k = 1; k <= degree; ++k)
-            sum = sum + load(type, rest + k * inner + i) * basis[k];
+        const double t = point[block.axes[j]], one_less = 1 - t, *binomials = binomials_of(degree);
+        for_each_place(inner, [&](auto type, std::size_t i) {   // Horner's scheme for Bernstein polynomials
+          auto sum = load(type, rest + i);
+          double power = 1;
+          for (int k = 1; k <= degree; ++k) {
+            power *= t;
+            sum = sum * one_less + load(type, rest + k * inner + i) * (binomials[k] * power);
+          }
           store(work + i, sum);
         });
       }
@@ -124,22 +128,14 @@ private:
     }
   }
 
-  // The Bernstein polynomials at u.
-  const double* compute_basis(int degree, double u)
+  const double* binomials_of(int degree)
   {
     if (m_binomials.size() != static_cast<std::size_t>(degree) + 1) {
-      m_binomials.assign(1, 1.0);
+      m_binomials.assign(static_cast<std::size_t>(degree) + 1, 1.0);
       for (int k = 1; k <= degree; ++k)
-        m_binomials.push_back(m_binomials.back() * (degree - k + 1) / k);
-      m_basis.resize(m_binomials.size());
+        m_binomials[k] = m_binomials[k - 1] * (degree - k + 1) / k;
     }
-    double power = 1;
-    for (int k = 0; k <= degree; ++k, power *= u)
-      m_basis[k] = m_binomials[k] * power;
-    power = 1;
-    for (int k = degree; k >= 0; --k, power *= 1 - u)
-      m_basis[k] *= power;
-    return m_basis.data();
+    return m_binomials.data();
   }
 };
 
@@ -152,12 +148,17 @@ template <class Coordinate>
 class Root_refinement
 {
   std::vector<Exact_source::Value> m_values;
-  std::vector<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
+  std::vector<double> m_numbers;   // all of the following lies in one piece
+  std::span<double> m_value, m_value_error, m_step, m_step_error, m_radius, m_distance, m_best_radius, m_width, m_shortest, m_last_step;
   std::vector<Coordinate> m_point, m_last_point, m_best;
+  Root_enclosure<Coordinate> m_enclosure;
 
 public:
-  // An enclosure of the root of the region; `bits` after the binary point are aimed at where coordinates are rational.
-  Root_enclosure<Coordinate> refine(const Certified_region<Coordinate>& region, int bits)
+  // What refine() found last.
+  const Root_enclosure<Coordinate>& enclosure() const { return m_enclosure; }
+
+  // An enclosure of the root of the region, which stays until the next call; `bits` after the binary point are aimed at where coordinates are rational.
+  const Root_enclosure<Coordinate>& refine(const Certified_region<Coordinate>& region, int bits)
   {
     const int n = static_cast<int>(region.lower.size());
     region.source->set_matrix(region.matrix);
@@ -168,14 +169,14 @@ public:
       m_point[j] = stepped(region.lower[j], (region.start.empty() ? 0.5 : region.start[j]) * m_width[j], bits);
     }
     m_best = m_point;   // with the whole region around it, should no step be finite
-    m_best_radius = m_width;
+    std::copy(m_width.begin(), m_width.end(), m_best_radius.begin());
     constexpr double goal = 0.6;   // half a unit, and what the bounds add
     double best = HUGE_VAL;
     const auto keep_if_best = [&](double error) {
       if (error < best) {
         best = error;
         m_best = m_point;
-        m_best_radius = m_radius;
+        std::copy(m_radius.begin(), m_radius.end(), m_best_radius.begin());
       }
       return best <= goal;
     };
@@ -206,26 +207,21 @@ public:
         break;
       }
     }
-    Root_enclosure<Coordinate> result;
-    result.lower.reserve(n);
-    result.upper.reserve(n);
     for (int j = 0; j < n; ++j) {
       const double radius = 1.5 * m_best_radius[j] + resolution(m_best[j], m_width[j], bits);
-      result.lower.push_back((std::max)(below(m_best[j], radius), region.lower[j]));   // beyond the region there may be others
-      result.upper.push_back((std::min)(above(m_best[j], radius), region.upper[j]));
+      m_enclosure.lower[j] = (std::max)(below(m_best[j], radius), region.lower[j]);   // beyond the region there may be others
+      m_enclosure.upper[j] = (std::min)(above(m_best[j], radius), region.upper[j]);
     }
-    result.error = best;
-    return result;
+    m_enclosure.error = best;
+    return m_enclosure;
   }
 
 private:
   void allocate(std::size_t unknowns, std::size_t equalities)
   {
-    for (auto* v : {&m_step, &m_step_error, &m_radius, &m_distance, &m_best_radius, &m_width, &m_shortest, &m_last_step})
-      v->resize(unknowns);
-    for (auto* v : {&m_value, &m_value_error})
-      v->resize(equalities);
-    for (auto* v : {&m_point, &m_last_point, &m_best})
+    allocate_parts<double>(m_numbers, {{&m_value, equalities}, {&m_value_error, equalities}, {&m_step, unknowns}, {&m_step_error, unknowns}, {&m_radius, unknowns}, {&m_distance, unknowns},
+                                       {&m_best_radius, unknowns}, {&m_width, unknowns}, {&m_shortest, unknowns}, {&m_last_step, unknowns}});
+    for (auto* v : {&m_point, &m_last_point, &m_best, &m_enclosure.lower, &m_enclosure.upper})
       v->resize(unknowns);
   }
 

@@ -4,8 +4,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_SET_D_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_SOLUTION_SET_D_H
 
-#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-
 #include <CGAL/number_utils.h>
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
@@ -14,6 +12,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -79,52 +78,63 @@ public:
   using Exact_box = std::vector<std::pair<Exact_rational, Exact_rational>>;
 
 private:
+  // What most answers do not have: they are kept small.
+  struct Details
+  {
+    Exact_box box = {}, region = {};   // where they differ from those in `Coordinate`
+    int precision = 0, dimension = 0;
+    std::vector<Exact_box> cover = {};
+    std::vector<std::vector<Exact_rational>> ends = {};
+  };
+
   Solution_kind m_kind = Solution_kind::UNDECIDED;
   Undecided_reason m_reason = Undecided_reason::NONE;
-  Box m_box, m_region;
-  Exact_box m_exact_box, m_exact_region;   // where they differ from these
   int m_multiplicity = 0;
   const char* m_number_type = "";
-  int m_precision = 0;
-  int m_dimension = 0;
-  std::vector<Exact_box> m_cover;
-  std::vector<std::vector<Exact_rational>> m_ends;
+  Box m_box, m_region;
+  std::shared_ptr<const Details> m_details;   // null: none
+
+  const Details& details() const
+  {
+    static const Details none;
+    return m_details == nullptr ? none : *m_details;
+  }
 
 public:
   Solution_d() = default;
   Solution_d(Solution_kind kind, Box box, Box region, const char* number_type, Undecided_reason reason = Undecided_reason::NONE,
              int multiplicity = 0)
-    : m_kind(kind), m_reason(reason), m_box(std::move(box)), m_region(std::move(region)), m_multiplicity(multiplicity),
-      m_number_type(number_type)
+    : m_kind(kind), m_reason(reason), m_multiplicity(multiplicity), m_number_type(number_type), m_box(std::move(box)), m_region(std::move(region))
   {}
 
   //! an answer with finer coordinates, found with `precision` bits.
   Solution_d(const Solution_d<Exact_rational>& fine, int precision)
     requires(!std::same_as<Coordinate, Exact_rational>)
-    : m_kind(fine.kind()), m_reason(fine.reason()), m_exact_box(fine.box()), m_exact_region(fine.uniqueness_region()),
-      m_multiplicity(fine.multiplicity()), m_number_type(fine.number_type()), m_precision(precision)
+    : m_kind(fine.kind()), m_reason(fine.reason()), m_multiplicity(fine.multiplicity()), m_number_type(fine.number_type()),
+      m_details(std::make_shared<const Details>(Details{.box = fine.box(), .region = fine.uniqueness_region(), .precision = precision}))
   {
-    for (const auto& [lower, upper] : m_exact_box)
+    for (const auto& [lower, upper] : fine.box())
       m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
-    for (const auto& [lower, upper] : m_exact_region)
+    for (const auto& [lower, upper] : fine.uniqueness_region())
       m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
   }
 
   //! a continuum of the given dimension that some boxes cover; or the segment between two points; or what looks like one, `UNDECIDED`.
   Solution_d(Solution_kind kind, int dimension, std::vector<Exact_box> cover, std::vector<std::vector<Exact_rational>> ends)
-    : m_kind(kind), m_reason(kind == Solution_kind::UNDECIDED ? Undecided_reason::CONTINUUM : Undecided_reason::NONE), m_number_type("exact"), m_dimension(dimension), m_cover(std::move(cover)), m_ends(std::move(ends))
+    : m_kind(kind), m_reason(kind == Solution_kind::UNDECIDED ? Undecided_reason::CONTINUUM : Undecided_reason::NONE), m_number_type("exact")
   {
-    m_exact_box = m_cover.front();
-    for (const Exact_box& part : m_cover)
+    Exact_box box = cover.front();
+    for (const Exact_box& part : cover)
       for (std::size_t j = 0; j < part.size(); ++j) {
-        m_exact_box[j].first = (std::min)(m_exact_box[j].first, part[j].first);
-        m_exact_box[j].second = (std::max)(m_exact_box[j].second, part[j].second);
+        box[j].first = (std::min)(box[j].first, part[j].first);
+        box[j].second = (std::max)(box[j].second, part[j].second);
       }
-    for (const auto& [lower, upper] : m_exact_box)
+    for (const auto& [lower, upper] : box)
       if constexpr (std::same_as<Coordinate, Exact_rational>)
         m_box.emplace_back(lower, upper);
       else
         m_box.emplace_back(to_double_interval(lower).first, to_double_interval(upper).second);
+    m_details = std::make_shared<const Details>(Details{.box = std::move(box), .dimension = dimension, .cover = std::move(cover), .ends = std::move(ends)});
   }
 
   //! what is proved.
@@ -139,7 +149,7 @@ public:
   const Range& operator[](std::size_t unknown) const { return m_box[unknown]; }
 
   //! the enclosure that the proof is about, which `box()` contains.
-  Exact_box exact_box() const { return m_exact_box.empty() ? Exact_box(m_box.begin(), m_box.end()) : m_exact_box; }
+  Exact_box exact_box() const { return details().box.empty() ? Exact_box(m_box.begin(), m_box.end()) : details().box; }
 
   //! the middle of the enclosure, rounded to doubles.
   std::vector<double> point() const
@@ -155,18 +165,18 @@ public:
   const Box& uniqueness_region() const { return m_region; }
 
   //! the same without rounding.
-  Exact_box exact_uniqueness_region() const { return m_exact_region.empty() ? Exact_box(m_region.begin(), m_region.end()) : m_exact_region; }
+  Exact_box exact_uniqueness_region() const { return details().region.empty() ? Exact_box(m_region.begin(), m_region.end()) : details().region; }
 
   //! the dimension of the set of solutions that a `CONTINUUM` is. With `UNDECIDED` and a `cover()`: they have at most this one, but for what lies in tiny boxes. 0 for other answers.
-  int dimension() const { return m_dimension; }
+  int dimension() const { return details().dimension; }
 
   //! boxes that hold all solutions of a `CONTINUUM`, or of what looks like one but is `UNDECIDED`; empty for other answers. They touch each other; one or several connected components run
   //! through them. Each box of a `CONTINUUM` holds solutions of its dimension, except for tiny ones where it has a singular point, only touches the box, or leaves the set that the inequalities
   //! describe.
-  const std::vector<Exact_box>& cover() const { return m_cover; }
+  const std::vector<Exact_box>& cover() const { return details().cover; }
 
   //! the two end points of a `CONTINUUM` that is a segment, exactly: all points between them are solutions, in the closure of what the inequalities allow. Empty otherwise.
-  const std::vector<std::vector<Exact_rational>>& ends() const { return m_ends; }
+  const std::vector<std::vector<Exact_rational>>& ends() const { return details().ends; }
 
 #ifndef DOXYGEN_RUNNING
   // Another region, which holds the enclosure.
@@ -178,7 +188,9 @@ public:
         m_region.emplace_back(lower, upper);
       else
         m_region.emplace_back(to_double_interval(lower).second, to_double_interval(upper).first);
-    m_exact_region = std::move(region);
+    Details changed = details();
+    changed.region = std::move(region);
+    m_details = std::make_shared<const Details>(std::move(changed));
   }
 #endif
 
@@ -189,7 +201,7 @@ public:
   const char* number_type() const { return m_number_type; }
 
   //! the precision that it took, in bits, when `number_type()` is "multiprecision" and the solver chose it; else 0.
-  int precision() const { return m_precision; }
+  int precision() const { return details().precision; }
 };
 
 /*!
@@ -253,18 +265,11 @@ private:
 public:
   Solution_set_d() = default;
   Solution_set_d(std::vector<Solution> solutions, const Summary& summary)
-    : m_summary(summary)
+    : m_solutions(std::move(solutions)), m_summary(summary)
   {
-    std::vector<Solution*> order;   // solutions are large: each moves once
-    order.reserve(solutions.size());
-    for (Solution& solution : solutions)
-      order.push_back(&solution);
-    std::sort(order.begin(), order.end(), [](const Solution* a, const Solution* b) {
-      return a->kind() != b->kind() ? a->kind() < b->kind() : a->box() != b->box() ? a->box() < b->box() : a->exact_box() < b->exact_box();
+    std::sort(m_solutions.begin(), m_solutions.end(), [](const Solution& a, const Solution& b) {
+      return a.kind() != b.kind() ? a.kind() < b.kind() : a.box() != b.box() ? a.box() < b.box() : a.exact_box() < b.exact_box();
     });
-    m_solutions.reserve(order.size());
-    for (Solution* solution : order)
-      m_solutions.push_back(std::move(*solution));
   }
 
   const_iterator begin() const { return m_solutions.begin(); }

@@ -351,6 +351,8 @@ private:
   bool collect_roots(std::vector<Found_root<Coordinate>>& found, const Cell& cell, std::vector<Open_box<Coordinate>>& open)
   {
     bool are_counted = true;
+    if (m_roots.roots().empty())
+      m_roots.roots().reserve(found.size());
     for (Found_root<Coordinate>& root : found) {
       if (m_roots.is_known(root))
         continue;
@@ -358,7 +360,13 @@ private:
       if (known == nullptr)
         m_roots.roots().push_back(std::move(root));
       else if (!m_worker.walk.certification().is_same_root(known->enclosure, root.enclosure)) {
-        open.push_back({root.enclosure.lower, root.enclosure.upper, Undecided_reason::TOLERANCE, cell});
+        Open_box<Coordinate>& box = open.emplace_back();
+        box.reason = Undecided_reason::TOLERANCE;
+        box.cell = cell;
+        for (const auto& [lower, upper] : root.enclosure) {
+          box.lower.push_back(lower);
+          box.upper.push_back(upper);
+        }
         are_counted = false;
       }
     }

@@ -174,10 +174,10 @@ inline void System_layout::place_blocks()
 {
   blocks_of_axis.resize(dimension);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    blocks[b].lengths.assign(1, blocks[b].functions.size());
+    std::vector<std::size_t>& lengths = blocks[b].lengths;
+    lengths.assign(blocks[b].axes.size() + 1, blocks[b].functions.size());
     for (std::size_t j = blocks[b].axes.size(); j-- > 0;)
-      blocks[b].lengths.push_back(blocks[b].lengths.back() * (blocks[b].degrees[j] + 1));
-    std::reverse(blocks[b].lengths.begin(), blocks[b].lengths.end());
+      lengths[j] = lengths[j + 1] * (blocks[b].degrees[j] + 1);
     blocks[b].offset = size;
     blocks[b].first_error = errors;
     size += blocks[b].size();

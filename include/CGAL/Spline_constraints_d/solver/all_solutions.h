@@ -103,13 +103,11 @@ public:
     m_walk.run();
     m_walk.look_again([&](const auto& box) { return !is_small(box) || !rational_solution_in(system, box).empty(); });
     m_walk.add_to(summary);
-    m_solutions.reserve(m_walk.roots().roots().size());
-    for (const auto& root : m_walk.roots().roots())
-      report_root<NT>(root, m_solutions);
     report_multiple_roots();
     report_curves();
     report_continua();
     report_open_boxes();
+    report_roots();
     isolate_clusters();
   }
 
@@ -196,10 +194,18 @@ private:
     return result;
   }
 
+  // Last: the others ask which roots are known.
+  void report_roots()
+  {
+    m_solutions.reserve(m_solutions.size() + m_walk.roots().roots().size());
+    for (auto& root : m_walk.roots().roots())
+      report_root<NT>(std::move(root), m_solutions);
+  }
+
   void report_open_boxes()
   {
     std::erase_if(m_walk.open_boxes(), [&](const auto& box) {   // whose only root is known
-      return m_walk.roots().is_covered(box.lower, box.upper) ||
+      return m_walk.roots().is_covered(make_box(box.lower, box.upper)) ||
              std::any_of(m_walk.multiple_roots().begin(), m_walk.multiple_roots().end(), [&](const Multiple_root& root) { return root.covers(box.lower, box.upper); });
     });
     if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
@@ -338,16 +344,7 @@ private:
     }
     if (!solution.is_certified())
       return false;
-    Found_root<Coordinate> root;
-    for (const auto& [lower, upper] : solution.box()) {
-      root.enclosure.lower.push_back(lower);
-      root.enclosure.upper.push_back(upper);
-    }
-    for (const auto& [lower, upper] : solution.uniqueness_region()) {
-      root.lower.push_back(lower);
-      root.upper.push_back(upper);
-    }
-    return m_walk.roots().is_known(root);
+    return m_walk.roots().is_known(solution.box(), solution.uniqueness_region());
   }
 
   // Beyond an inner face of the cell the equalities are others.

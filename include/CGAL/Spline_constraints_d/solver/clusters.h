@@ -20,16 +20,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-template <class Coordinate>
-typename Solution_d<Coordinate>::Box make_box(const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper)
-{
-  typename Solution_d<Coordinate>::Box box;
-  box.reserve(lower.size());
-  for (std::size_t j = 0; j < lower.size(); ++j)
-    box.emplace_back(lower[j], upper[j]);
-  return box;
-}
-
 // Why a root is undecided that has a proof.
 inline Undecided_reason reason_of(Position position)
 {
@@ -41,14 +31,13 @@ inline Undecided_reason reason_of(Position position)
 
 // A regular root, unless it lies outside of the domain.
 template <class NT, class Coordinate>
-void report_root(const Found_root<Coordinate>& root, std::vector<Solution_d<Coordinate>>& solutions)
+void report_root(Found_root<Coordinate> root, std::vector<Solution_d<Coordinate>>& solutions)
 {
   if (root.position == Position::OUTSIDE)
     return;
   const Undecided_reason reason = reason_of(root.position);
   const Solution_kind kind = reason == Undecided_reason::NONE ? Solution_kind::CERTIFIED : Solution_kind::UNDECIDED;
-  solutions.emplace_back(kind, make_box(root.enclosure.lower, root.enclosure.upper), make_box(root.lower, root.upper),
-                         Number_traits<NT>::name, reason, 1);
+  solutions.emplace_back(kind, std::move(root.enclosure), std::move(root.region), Number_traits<NT>::name, reason, 1);
 }
 
 template <class Coordinate>

@@ -18,14 +18,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline bool contains(const Exact_box& outer, const Exact_box& inner)
-{
-  for (std::size_t j = 0; j < outer.size(); ++j)
-    if (inner[j].first < outer[j].first || outer[j].second < inner[j].second)
-      return false;
-  return true;
-}
-
 /*
 What is proved of the zeros of n equalities in a region around a point z where n - 1 of them are zero and the determinant of the Jacobian of all is: `DOUBLE_ROOT`, z is the only one and counts
 twice; `NO_ROOT`; `CLOSE_ROOTS`, there are at most two, simple ones, on both sides of z.

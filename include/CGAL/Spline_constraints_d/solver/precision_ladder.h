@@ -59,7 +59,7 @@ public:
   }
 
   // Appends what an open box turns out to be, when `answer` is all that doubles can say of it. It climbs when more precision may tell more: not where a solution is known
-  // that is not regular, and not when the box is large or a limit was reached.
+  // that is not regular, not when the box is large or a limit was reached, and not when roots are too close for it.
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
     const Exact_box ranges = exact_box(box);
@@ -67,9 +67,14 @@ public:
       return;
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
-    if (is_open && m_options.ladder_precision > 0 && report_double_root(ranges, solutions))
-      return;
-    if (is_regular || is_open)
+    bool may_climb = is_regular || is_open;
+    if (is_open && m_options.ladder_precision > 0) {
+      Double_root_search search = search_double_root(m_system, ranges);
+      if (report_double_root(search, solutions))
+        return;
+      may_climb = !is_beyond_reach(search);
+    }
+    if (may_climb)
       climb(box, answer, solutions);
     else
       solutions.push_back(answer);
@@ -84,10 +89,15 @@ private:
     return result;
   }
 
-  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing.
-  bool report_double_root(const Exact_box& box, std::vector<Solution_d<double>>& solutions)
+  // One sign is missing to tell a double root from two roots and from none, and more bits than the ladder has on both sides did not tell it: the distance of two roots is about the root of that value.
+  bool is_beyond_reach(const Double_root_search& search) const
   {
-    Double_root_search search = search_double_root(m_system, box);
+    return search.outcome == Double_root_search::NOTHING_PROVED && search.root && search.root->bits_of_width() >= 2 * m_options.ladder_precision;
+  }
+
+  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing.
+  bool report_double_root(Double_root_search& search, std::vector<Solution_d<double>>& solutions)
+  {
     std::vector<Algebraic_root> roots;
     if (search.outcome == Double_root_search::DOUBLE_ROOT)
       roots.push_back(*search.root);
@@ -110,16 +120,7 @@ private:
 
   bool is_known(const Algebraic_root& root) const
   {
-    Found_root<Exact_rational> found;
-    for (const auto& [lower, upper] : root.region()) {
-      found.lower.push_back(lower);
-      found.upper.push_back(upper);
-    }
-    for (const auto& [lower, upper] : root.box()) {
-      found.enclosure.lower.push_back(lower);
-      found.enclosure.upper.push_back(upper);
-    }
-    return is_known(found);
+    return is_known({root.box(), root.region(), Position::INSIDE});
   }
 
   void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
@@ -199,14 +200,13 @@ private:
   bool is_known(const Found_root<Exact_rational>& root) const
   {
     return std::any_of(m_known.roots().begin(), m_known.roots().end(), [&](const Found_root<double>& known) {
-      const auto lies_in = [&](const auto& outer_lower, const auto& outer_upper, const auto& lower, const auto& upper) {
+      const auto lies_in = [&](const auto& inner, const auto& outer) {
         for (int j = 0; j < m_layout.dimension; ++j)
-          if (Exact_rational(lower[j]) < Exact_rational(outer_lower[j]) || Exact_rational(outer_upper[j]) < Exact_rational(upper[j]))
+          if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) || Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
             return false;
         return true;
       };
-      return lies_in(known.lower, known.upper, root.enclosure.lower, root.enclosure.upper) ||
-             lies_in(root.lower, root.upper, known.enclosure.lower, known.enclosure.upper);
+      return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region);
     });
   }
 };

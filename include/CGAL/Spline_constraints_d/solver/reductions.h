@@ -140,8 +140,8 @@ private:
 The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine enclosures.
 
 The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
-and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks and, by counted
-operations, that costs no more than a split. A second sweep over the linear rows follows where
+and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks, some of these have several
+axes and, by counted operations, that costs no more than a split. A second sweep over the linear rows follows where
 anything was gained, since it is cheap beside a pass.
 
 \cgalModels{Reduction}
@@ -188,8 +188,10 @@ private:
 
   bool is_dense_form_cheap(const Node_view& node)
   {
+    if (node.equalities() != node.dimension() || !internal::Dense_preconditioner::may_pay(node.layout()))
+      return false;
     m_dense.prepare(node.layout());
-    return node.equalities() == node.dimension() && m_dense.is_shared() && m_dense.is_cheap();
+    return m_dense.is_cheap();
   }
 
   bool contract_dense(Node_view& node, Linear_enclosure& linear, Local_box& box)
