@@ -38,7 +38,7 @@ class Curve_polynomials
 {
   std::vector<Power_polynomial> m_equations, m_tangent;   // the latter per unknown
   std::vector<std::vector<Power_polynomial>> m_gradients;   // of all of them
-  std::size_t m_terms = 0;   // of these
+  std::size_t m_work_of_step = 100;   // elimination, and evaluations
 
 public:
   // The system has no breaks.
@@ -60,12 +60,15 @@ public:
           gradient.push_back(polynomial.derivative(static_cast<int>(gradient.size())));
     for (const std::vector<Power_polynomial>& gradient : m_gradients)
       for (const Power_polynomial& derivative : gradient)
-        m_terms += derivative.terms().size();
+        m_work_of_step += derivative.terms().size() * static_cast<std::size_t>(1 + derivative.total_degree());
   }
 
   std::size_t dimension() const { return m_tangent.size(); }
   const std::vector<Power_polynomial>& equations() const { return m_equations; }
   const std::vector<Power_polynomial>& tangent() const { return m_tangent; }
+
+  // Of the Gauss-Newton method, about in additions of coefficients.
+  std::size_t work_of_step() const { return m_work_of_step; }
 
   // A box with the only singular point in a box: of several there is no answer.
   std::optional<Exact_ranges> singular_point_in(const Exact_ranges& box) const
@@ -91,7 +94,7 @@ public:
 
   /*
   A singular point in a box with rational coordinates, if one is found: the Gauss-Newton method in rational numbers of some hundred bits, with the simplest rationals near its iterates. At points of high multiplicity
-  steps become shorter by a constant factor, so that two of them tell how far all others will go. Every other one only leads back to a curve, wherever this is bent. The terms that are evaluated are added to the work.
+  steps become shorter by a constant factor, so that two of them tell how far all others will go. Every other one only leads back to a curve, wherever this is bent. Adds the work.
   */
   std::optional<Exact_point> rational_singular_point_in(const Exact_ranges& box, std::size_t& work) const
   {
@@ -105,7 +108,7 @@ public:
     for (int round = 0, exits = 0; round < most_rounds; ++round) {
       std::vector<Exact_point> steps;   // each of two
       for (int i = 0; i < 4; ++i) {
-        work += m_terms;
+        work += m_work_of_step;
         const Exact_point step = gauss_newton_step(place);
         if (step.empty())
           return is_singular_at(place) ? std::optional(place) : std::nullopt;

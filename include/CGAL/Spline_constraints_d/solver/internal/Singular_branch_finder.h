@@ -99,8 +99,8 @@ private:
   // Near a box: what is proved there tells of many boxes around that they have no singular point.
   void find_rational_point(Exact_ranges near)
   {
-    constexpr std::size_t first_work = 10000, more_work = 200;   // a part of what the boxes cost
-    if (m_work > first_work + more_work * m_calls)
+    constexpr std::size_t first_work = 4000, more_work = 100;   // a part of what the boxes cost
+    if (m_work + m_curves->work_of_step() > first_work + more_work * m_calls)
       return;
     for (std::size_t j = 0; j < near.size(); ++j) {
       near[j].first -= Exact_rational(small * m_domain_widths[j]);
