@@ -38,7 +38,8 @@ Let |x - p|^2 = sum (x_j - p_j)^2 / w_j^2, and t the tangent of the curves by th
 connected piece of them the distance from p increases or decreases strictly. So there is no closed curve, and no piece with both ends in p. If the curves cross the boundary of the box in some points, all regular and
 in one face only, and in each of them the distance from p decreases into the box, then every piece has just one end there, and the other one in p: one piece for each of these points.
 
-Near any singular point that is isolated as such, some box passes: analytic sets are cones locally, in coordinates where |x - p| is the distance from the apex (Milnor).
+p is the only such solution in a small neighbourhood, if the singular point is isolated: algebraic sets are cones locally, with |x - p| for the distance from the apex (J. Milnor, Singular Points of Complex Hypersurfaces,
+1968, section 2).
 */
 class Conic_structure_test
 {

@@ -51,7 +51,7 @@ public:
     : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices)
   {}
 
-  // In a box with these vertices on its boundary, and inequalities that neither hold everywhere nor exclude it. There are as many pieces then as other vertices that satisfy them.
+  // In a box with these vertices on its boundary, and inequalities that neither hold everywhere nor exclude it.
   std::optional<Singular_branches> operator()(const Exact_ranges& box, const Indices& vertices, const Indices& open_inequalities)
   {
     constexpr std::size_t largest_dimension = 4;
@@ -60,11 +60,13 @@ public:
     if (!m_curves)
       m_curves.emplace(m_system);
     ++m_calls;
+    const Conic_structure_test* const structure = structure_around(box);
+    if (structure && !is_within(as_box(structure->point()), box))
+      return std::nullopt;   // there is no singular point
     std::optional<Singular_branches> result;
-    if (const Conic_structure_test* structure = structure_around(box)) {
-      if (is_smaller(box, small) && is_within(as_box(structure->point()), box))
-        result = branches_of(*structure, box, vertices, open_inequalities);
-    } else if (open_inequalities.empty() && is_smaller(box, very_small))
+    if (structure && is_smaller(box, small))
+      result = branches_of(*structure, box, vertices, open_inequalities);
+    if (!result && open_inequalities.empty() && is_smaller(box, very_small))
       result = branches_of_double_point(box, vertices);
     m_successes += result.has_value();
     return result;
@@ -159,13 +161,16 @@ private:
   }
 
   // Whether a vertex is the rational point: this lies on its plane, which has no other solution in its box.
-  static bool is_point_of(const Conic_structure_test& structure, const Plane_point& vertex)
+  bool is_point_of(const Conic_structure_test& structure, const Plane_point& vertex) const
   {
     const Exact_ranges point = as_box(structure.point());
-    if (vertex.kind != Plane_point::SINGULAR || !is_within(point, vertex.box))
+    if (vertex.kind != Plane_point::SINGULAR || vertex.planes() == 0 || !is_within(point, vertex.box))
       return false;
-    const int axis = static_cast<int>(std::find(vertex.is_fixed.begin(), vertex.is_fixed.end(), true) - vertex.is_fixed.begin());
-    return vertex.is_one_point() || (vertex.planes() > 0 && structure.is_only_zero_of(Power_polynomial::variable(axis) - Power_polynomial(point[static_cast<std::size_t>(axis)].first), vertex.box));
+    if (vertex.is_one_point())
+      return true;
+    const int axis = first_plane(vertex);
+    const Power_polynomial plane = Power_polynomial::variable(axis) - Power_polynomial(point[static_cast<std::size_t>(axis)].first);
+    return is_within(vertex.box, domain_of(m_system)) && structure.is_only_zero_of(plane, vertex.box);
   }
 
   // Whether a curve crosses the boundary of the box, in one face, such that it comes closer to the rational point inside.
@@ -173,10 +178,14 @@ private:
   {
     if (vertex.kind != Plane_point::REGULAR || vertex.planes() != 1)
       return false;
-    const std::size_t axis = static_cast<std::size_t>(std::find(vertex.is_fixed.begin(), vertex.is_fixed.end(), true) - vertex.is_fixed.begin());
-    const bool is_upper = vertex.box[axis].first == box[axis].second;
-    return (is_upper || vertex.box[axis].first == box[axis].first) && structure.approaches(vertex.box, static_cast<int>(axis), is_upper);
+    const int axis = first_plane(vertex);
+    const Exact_rational& value = vertex.box[static_cast<std::size_t>(axis)].first;
+    const auto& [lower, upper] = box[static_cast<std::size_t>(axis)];
+    return (value == lower || value == upper) && structure.approaches(vertex.box, axis, value == upper);
   }
+
+  // The unknown that it fixes.
+  static int first_plane(const Plane_point& vertex) { return static_cast<int>(std::find(vertex.is_fixed.begin(), vertex.is_fixed.end(), true) - vertex.is_fixed.begin()); }
 
   static bool is_inside(const Exact_point& point, const Exact_ranges& box)
   {
