@@ -42,13 +42,14 @@ class Singular_branch_finder
   const Constraint_system_d& m_system;   // without breaks
   const std::vector<double>& m_domain_widths;
   Curve_vertices& m_vertices;
+  const bool m_is_short;                             // the minors are no long polynomials
   std::optional<Curve_polynomials> m_curves;         // made when they are needed
   std::deque<Conic_structure_test> m_structures;     // at the rational points that were found
   std::size_t m_calls = 0, m_work = 0, m_attempts = 0, m_successes = 0;
 
 public:
   Singular_branch_finder(const Constraint_system_d& system, const std::vector<double>& domain_widths, Curve_vertices& vertices)
-    : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices)
+    : m_system(system), m_domain_widths(domain_widths), m_vertices(vertices), m_is_short(are_minors_short(system))
   {}
 
   // In a box with these vertices on its boundary, and inequalities that neither hold everywhere nor exclude it.
@@ -57,10 +58,8 @@ public:
     constexpr std::size_t largest_dimension = 4;
     if (box.size() > largest_dimension || !is_smaller(box, moderate))
       return std::nullopt;
-    if (!m_curves)
-      m_curves.emplace(m_system);
     ++m_calls;
-    const Conic_structure_test* const structure = structure_around(box);
+    const Conic_structure_test* const structure = m_is_short ? structure_around(box) : nullptr;
     if (structure && !is_within(as_box(structure->point()), box))
       return std::nullopt;   // there is no singular point
     std::optional<Singular_branches> result;
@@ -80,6 +79,27 @@ public:
   }
 
 private:
+  // By the number of products of coefficients in them.
+  static bool are_minors_short(const Constraint_system_d& system)
+  {
+    constexpr double largest_number = 2000;
+    double number = 1;
+    for (const Spline_function& function : system.equalities()) {
+      std::ptrdiff_t coefficients = 0;
+      for (const Spline_term& term : function.terms())
+        coefficients += std::count_if(term.pieces.front().begin(), term.pieces.front().end(), [](const Exact_rational& x) { return !CGAL::is_zero(x); });
+      number *= static_cast<double>(coefficients);
+    }
+    return number <= largest_number;
+  }
+
+  const Curve_polynomials& curves()
+  {
+    if (!m_curves)
+      m_curves.emplace(m_system);
+    return *m_curves;
+  }
+
   bool is_smaller(const Exact_ranges& box, double share) const
   {
     for (std::size_t j = 0; j < box.size(); ++j)
@@ -102,15 +122,15 @@ private:
   void find_rational_point(Exact_ranges near)
   {
     constexpr std::size_t first_work = 4000, more_work = 100;   // a part of what the boxes cost
-    if (m_work + m_curves->work_of_step() > first_work + more_work * m_calls)
+    if (m_work + curves().work_of_step() > first_work + more_work * m_calls)
       return;
     for (std::size_t j = 0; j < near.size(); ++j) {
       near[j].first -= Exact_rational(small * m_domain_widths[j]);
       near[j].second += Exact_rational(small * m_domain_widths[j]);
     }
-    const std::optional<Exact_point> point = m_curves->rational_singular_point_in(near, m_work);
+    const std::optional<Exact_point> point = curves().rational_singular_point_in(near, m_work);
     if (point && std::none_of(m_structures.begin(), m_structures.end(), [&](const Conic_structure_test& structure) { return structure.point() == *point; }))
-      m_structures.emplace_back(*m_curves, *point, m_domain_widths);
+      m_structures.emplace_back(curves(), *point, m_domain_widths);
   }
 
   std::optional<Singular_branches> branches_of(const Conic_structure_test& structure, const Exact_ranges& box, const Indices& vertices, const Indices& open_inequalities)
@@ -154,7 +174,7 @@ private:
     if (m_attempts > few_attempts * (m_successes + 1) || (!vertices.empty() && vertices.size() != 4) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
       return std::nullopt;
     ++m_attempts;
-    const std::optional<Proved_singularity> found = Singular_point_test(*m_curves, box)();
+    const std::optional<Proved_singularity> found = Singular_point_test(curves(), box)();
     if (!found || found->branches != vertices.size())
       return std::nullopt;
     return Singular_branches{m_vertices.add(Plane_point::singular(found->box)), vertices};
