@@ -107,11 +107,16 @@ public:
     }
     for (int round = 0, exits = 0; round < most_rounds; ++round) {
       std::vector<Exact_point> steps;   // each of two
+      Exact_rational first_residual;
       for (int i = 0; i < 4; ++i) {
         work += m_work_of_step;
-        const Exact_point step = gauss_newton_step(place);
+        const auto [step, residual] = gauss_newton_step(place);
         if (step.empty())
           return is_singular_at(place) ? std::optional(place) : std::nullopt;
+        if (i == 0)
+          first_residual = residual;
+        else if (i == 2 && 2 * residual > first_residual)
+          return std::nullopt;   // there seems to be a minimum
         if (i % 2 == 0)
           steps.emplace_back(step.size(), Exact_rational(0));
         add(steps.back(), step);
@@ -154,13 +159,15 @@ private:
     return result;
   }
 
-  // The least squares solution of the linearized equations; empty where it is not unique.
-  Exact_point gauss_newton_step(const Exact_point& place) const
+  // The least squares solution of the linearized equations, empty where it is not unique; and the sum of the squares of the values.
+  std::pair<Exact_point, Exact_rational> gauss_newton_step(const Exact_point& place) const
   {
     const std::size_t n = dimension(), length = n + 1;
+    Exact_rational residual(0);
     std::vector<Exact_rational> rows(n * length, Exact_rational(0));   // the normal equations
     for (std::size_t i = 0; i < m_gradients.size(); ++i) {
       const Exact_rational value = (i < m_equations.size() ? m_equations[i] : m_tangent[i - m_equations.size()])(place);
+      residual += value * value;
       Exact_point gradient;
       for (const Power_polynomial& derivative : m_gradients[i])
         gradient.push_back(derivative(place));
@@ -174,7 +181,7 @@ private:
     Exact_point result;
     for (std::size_t j = 0; j < row_of.size(); ++j)
       result.push_back(rows[static_cast<std::size_t>(row_of[j]) * length + n]);
-    return result;
+    return {result, residual};
   }
 
   // Rounded to a fixed number of bits.

@@ -121,7 +121,7 @@ private:
   // Near a box: what is proved there tells of many boxes around that they have no singular point.
   void find_rational_point(Exact_ranges near)
   {
-    constexpr std::size_t first_work = 4000, more_work = 100;   // a part of what the boxes cost
+    constexpr std::size_t first_work = 1000, more_work = 100;   // a part of what the boxes cost
     if (m_work + curves().work_of_step() > first_work + more_work * m_calls)
       return;
     for (std::size_t j = 0; j < near.size(); ++j) {
