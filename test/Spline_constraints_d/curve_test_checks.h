@@ -39,8 +39,18 @@ inline void check_chains(const SC::Curve_solution_set_d& set)
   }
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const SC::Curve_vertex& vertex = set.vertices()[i];
-    EXPECT_TRUE(!set.is_complete() || vertex.is_on_boundary || vertex.is_on_inequality || (vertex.is_singular ? uses[i] == 4 || uses[i] == 0 : uses[i] == 2));
+    EXPECT_TRUE(!set.is_complete() || vertex.is_on_boundary || vertex.is_on_inequality || vertex.is_singular || uses[i] == 2);
   }
+}
+
+// Pieces that end in a vertex.
+inline std::size_t number_of_ends_at(const SC::Curve_solution_set_d& set, std::size_t vertex)
+{
+  std::size_t result = 0;
+  for (const SC::Solution_curve& curve : set.curves())
+    for (const SC::Curve_piece& piece : curve.pieces)
+      result += static_cast<std::size_t>(std::count(piece.ends.begin(), piece.ends.end(), vertex));
+  return result;
 }
 
 // Ends of open curves, in the order of the domain's boundary.

@@ -180,13 +180,6 @@ TEST(Curve_solver, circles_cross_and_points_are_isolated)
   ASSERT_EQ(isolated.singular_points().size(), 1u);
   expect_point(isolated.vertices()[isolated.singular_points()[0]].box, {0, 0});
   EXPECT_EQ(isolated.number_of_open_curves(), 1u);
-
-  const auto cusp = SC::solve_curves(square(y) == x * x * x);   // of higher order: not proved
-  EXPECT_FALSE(cusp.is_complete());
-  EXPECT_TRUE(cusp.singular_points().empty());
-  ASSERT_EQ(cusp.undecided().size(), 1u);
-  EXPECT_EQ(cusp.undecided()[0].vertices.size(), 2u);
-  EXPECT_EQ(cusp.number_of_open_curves(), 2u);
 }
 
 TEST(Curve_solver, corners_and_contacts_with_the_domain)

@@ -34,7 +34,7 @@ With \f$S = X/w\f$, the equation is \f$\det[(X,w), (X_u,w_u), (X_v,w_v), (p,1)] 
 edge or a break, as at the poles of a sphere, are divided out, so that they bring no false curves. Curves along an edge, a break or a seam are found as such (`Surface_curve::line`).
 
 Where the tangent plane turns continuously, a curve goes on, though the parametrization may have breaks there, if the equation changes by a constant factor, as it does on surfaces of revolution. At creases curves end: a crease
-may separate what is seen from what is not, but is no silhouette here. Where a part of the surface lies in a plane through the eye, and at singular points of higher order, the answer is undecided.
+may separate what is seen from what is not, but is no silhouette here. Where a part of the surface lies in a plane through the eye, and at singular points of higher order with irrational parameters, the answer is undecided.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
 \param viewpoint the eye.

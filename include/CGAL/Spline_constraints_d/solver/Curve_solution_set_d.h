@@ -32,7 +32,7 @@ struct Curve_vertex
   //! whether the point lies on the boundary of the domain.
   bool is_on_boundary;
 
-  //! whether it is a singular point, by proof the only one near it: four pieces end there, as where two curves cross, or none, then it is an isolated solution.
+  //! whether it is a singular point, by proof the only one near it. The pieces that end there are all branches of the curves; at an isolated solution there are none.
   bool is_singular;
 
   //! whether an inequality is zero at the point, by proof. If it is a strict one, the point does not belong to the curves that end there.
@@ -59,7 +59,7 @@ struct Curve_piece
   //! the box.
   Curve_vertex::Exact_box box;
 
-  //! the unknown that the piece is a graph over; -1 for a piece that ends in a singular point, in whose box it is one of four that meet there and nowhere else.
+  //! the unknown that the piece is a graph over; -1 for a piece that ends in a singular point, in whose box all pieces meet there and nowhere else.
   int parameter;
 
   //! indices of the vertices at its two ends, in the order along the curve.
@@ -94,7 +94,7 @@ struct Solution_curve
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point of higher order, as a rule.
+A part of the domain where nothing is proved of the solutions, but for what happens on its boundary: a singular point of higher order at irrational coordinates, as a rule.
 */
 struct Undecided_region
 {
@@ -149,7 +149,7 @@ public:
   //! solutions without others near them: points where a curve only touches the domain, or what the inequalities allow, from outside.
   const std::vector<std::size_t>& points() const { return m_points; }
 
-  //! indices of the vertices that are singular points: where curves cross, and isolated solutions inside of the domain.
+  //! indices of the vertices that are singular points: where curves cross or touch each other, cusps, and isolated solutions.
   const std::vector<std::size_t>& singular_points() const { return m_singular_points; }
 
   //! where nothing is proved.

@@ -203,11 +203,11 @@ The domain is cut into boxes. The points where curves cross the cutting planes a
 both sides. A box is dropped when it is proved to hold no solution, and accepted when its solutions are proved to be a graph over one unknown: then there is no closed curve inside, and the order of the points
 on its boundary tells how they are joined. So no curve is lost, however small, nothing is joined by distance, and a curve is closed when its pieces are.
 
-Small boxes with a singular point where two curves cross transversally, or with one isolated solution with a definite quadratic part, are proved to be that, if the point is neither on the boundary of the domain nor on
-a break and there are at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
+Singular points with rational coordinates are proved with the number of branches that end there, whatever their order: cusps, points where curves touch, multiple points, isolated solutions; also on the boundary of the domain, on breaks, and where inequalities are zero. At other places inside the domain this is done
+where two curves cross transversally, and for isolated solutions with a definite quadratic part. Both need at most four unknowns. Where nothing succeeds, boxes are left undecided; those that touch are one region.
 
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
-\f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a singular point on the boundary of an inequality, or a point where two are zero.
+\f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.

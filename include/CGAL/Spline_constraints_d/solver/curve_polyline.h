@@ -175,7 +175,7 @@ auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d
 
 points along a curve of solutions: its vertices, and between them so many others that the curve passes the middle of each chord at no more than a given distance. Every one is a solution up to rounding:
 the points between vertices are found by Newton's method in the boxes of the pieces, where they are unique. The points of a closed curve begin and end with the same one. Pieces that
-end in a singular point, a thousandth of the domain long, are one chord.
+end in a singular point, at most a sixtieth of the domain long, are one chord.
 
 \param system the system that was solved.
 \param set its solutions.

@@ -80,7 +80,7 @@ private:
   }
 
   // A curve goes on through a vertex that two pieces share, not through a singular point, nor where a strict inequality is zero.
-  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2 && !m_points[vertex].is_excluded; }
+  bool goes_on(std::size_t vertex) const { return m_pieces_at[vertex].size() == 2 && !m_points[vertex].is_excluded && !m_points[vertex].is_singular_point(); }
 
   std::vector<Solution_curve> chains()
   {

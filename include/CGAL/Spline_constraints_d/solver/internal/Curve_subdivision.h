@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_vertices.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Singular_point_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Singular_branch_finder.h>
 #include <CGAL/Spline_constraints_d/solver/splitters.h>
 
 #include <algorithm>
@@ -100,7 +100,8 @@ class Curve_subdivision
   std::deque<Node> m_nodes;   // per level; stays where it is
   const std::vector<double>& m_domain_widths;
   std::vector<std::size_t> m_open_inequalities;   // of the node
-  std::size_t m_attempts = 0, m_singular_points = 0, m_budget = 0, m_open_before = 0;
+  Singular_branch_finder m_singular_branches;
+  std::size_t m_budget = 0, m_open_before = 0;
   std::vector<Curve_piece>& m_pieces;
   std::vector<Undecided_box>& m_undecided;
   std::vector<Curve_task>& m_pending;
@@ -109,7 +110,7 @@ public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Curve_findings& findings)
     : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
       m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding), m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(findings.vertices),
-      m_domain_widths(domain_widths), m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
+      m_domain_widths(domain_widths), m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 
   // Looks at no more boxes than the budget allows. `open_before`: how many have been left undecided elsewhere.
@@ -179,7 +180,7 @@ private:
         std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });   // of which nothing was proved: there is none
         continue;
       }
-      if (has_singular_point(node, box, vertices, depth))
+      if (has_singular_point(box, vertices, depth))
         return;
       std::optional<Split> split = split_of(node, box, vertices);
       if (!split) {
@@ -275,28 +276,15 @@ private:
     return is_smaller;
   }
 
-  // Makes the pieces of a small box whose only solutions are proved to be the branches that end in a singular point. There are as many vertices then.
-  bool has_singular_point(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices, int depth)
+  // Makes the pieces of a box whose only solutions are branches that end in one singular point.
+  bool has_singular_point(const Exact_ranges& box, const Vertex_indices& vertices, int depth)
   {
-    constexpr double small = 0x1p-10;   // relative to the domain: these pieces are drawn as chords
-    constexpr std::size_t few_attempts = 1000;   // and as many more after each success
-    const auto is_regular = [&](std::size_t i) { return m_vertices[i].kind == Plane_point::REGULAR; };
-    if (depth % m_layout.dimension != 0 || !m_open_inequalities.empty() || (!vertices.empty() && vertices.size() != 4) || m_attempts > few_attempts * (m_singular_points + 1) || !std::all_of(vertices.begin(), vertices.end(), is_regular))
+    if (depth % m_layout.dimension != 0 || (m_layout.equalities == 1 && !may_gradient_vanish()))
       return false;
-    for (int j = 0; j < m_layout.dimension; ++j)
-      if (width(node, j) > small * m_domain_widths[j])
-        return false;
-    if (m_layout.equalities == 1 && !may_gradient_vanish())
-      return false;
-    ++m_attempts;
-    const std::optional<Proved_singularity> point = Singular_point_test(m_equalities, box)();
-    if (!point || point->branches != vertices.size())
-      return false;
-    ++m_singular_points;
-    const std::size_t centre = m_vertices.add_singular_point(point->box);
-    for (const std::size_t i : vertices)
-      m_pieces.push_back({box, -1, {centre, i}});
-    return true;
+    const std::optional<Singular_branches> branches = m_singular_branches(box, vertices, m_open_inequalities);
+    for (std::size_t i = 0; branches && i < branches->ends.size(); ++i)
+      m_pieces.push_back({box, -1, {branches->centre, branches->ends[i]}});
+    return branches.has_value();
   }
 
   bool may_gradient_vanish()
@@ -317,13 +305,17 @@ private:
     return result;
   }
 
-  // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex. There are many planes through a small box that will do, unless it is too small.
+  // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex or singular point. There are many planes through a small box that will do, unless it is too small.
   std::optional<Split> split_of(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices)
   {
+    constexpr double far = 0.2;
+    const Exact_point* singular_point = m_singular_branches.known_point_in(box);
     for (const int axis : rated_axes(node))
-      for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256}) {
+      for (const double place : {125.0 / 256, 137.0 / 256, 113.0 / 256, 149.0 / 256, 65.0 / 256, 189.0 / 256}) {
         const Exact_rational value(place_between(node.lower[axis], node.upper[axis], place));
         if (value <= box[axis].first || box[axis].second <= value)
+          continue;
+        if (singular_point && CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * width(node, axis))
           continue;
         if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
           return Split{axis, place, value, std::move(*on_plane)};

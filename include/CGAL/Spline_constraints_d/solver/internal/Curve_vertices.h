@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point that was looked for, or a zero of an inequality.
+// A solution on one or several planes, each of which fixes an unknown; on none if it is a singular point, or a zero of an inequality, inside of a box.
 struct Plane_point
 {
   enum Kind { REGULAR, SINGULAR, UNKNOWN };   // REGULAR: the curve crosses the plane. SINGULAR: it touches it, or is singular itself. UNKNOWN: nothing is proved
@@ -32,6 +32,10 @@ struct Plane_point
   std::vector<bool> is_fixed;   // per unknown
   std::optional<std::size_t> inequality = std::nullopt;   // one that is zero there
   bool is_excluded = false;                               // a strict one is
+  bool is_singular = false;                               // by proof, and what ends there is known
+
+  // On no plane.
+  static Plane_point singular(const Exact_ranges& box) { return {SINGULAR, box, box, std::vector<bool>(box.size(), false), std::nullopt, false, true}; }
 
   // Proved to be one point, whatever the box: two roots that were not told apart are not.
   bool is_one_point() const
@@ -39,7 +43,7 @@ struct Plane_point
     return kind == REGULAR || (kind == SINGULAR && std::all_of(box.begin(), box.end(), [](const auto& range) { return range.first == range.second; }));
   }
 
-  bool is_singular_point() const { return planes() == 0 && !inequality; }
+  bool is_singular_point() const { return is_singular && !is_excluded; }
 
   // What others have found out about the same point.
   void learn(const Plane_point& same)
@@ -49,9 +53,12 @@ struct Plane_point
         box[j] = same.box[j];
         is_fixed[j] = true;
       }
+    if (same.is_singular)
+      box = same.box;
     if (same.inequality)
       inequality = same.inequality;
     is_excluded = is_excluded || same.is_excluded;
+    is_singular = is_singular || same.is_singular;
   }
 
   std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
@@ -72,6 +79,9 @@ inline bool is_within(const Exact_ranges& inner, const Exact_ranges& outer)
       return false;
   return true;
 }
+
+// Whether zero is excluded.
+inline bool is_strict(Relation relation) { return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL; }
 
 /*
 The solutions on the planes that the domain is cut along, each once. Boxes on both sides of a plane share them, so that nothing is ever joined by its distance.
@@ -112,12 +122,15 @@ public:
   std::size_t size() const { return m_points.size(); }
   const Summary& work() const { return m_work; }
 
-  // A point on no plane.
-  std::size_t add_singular_point(const Exact_ranges& box)
+  // Appends a point, and returns its index.
+  std::size_t add(Plane_point&& point)
   {
-    m_points.push_back({Plane_point::SINGULAR, box, box, std::vector<bool>(box.size(), false)});
+    m_points.push_back(std::move(point));
     return m_points.size() - 1;
   }
+
+  // What is known of a point by now.
+  void learn(std::size_t i, const Plane_point& same) { m_points[i].learn(same); }
 
   // Forgets the last points.
   void resize(std::size_t size) { m_points.resize(size); }
@@ -230,8 +243,6 @@ private:
       box[j] = {(std::max)(box[j].first, system.domain(j).first), (std::min)(box[j].second, system.domain(j).second)};
     return box;
   }
-
-  static bool is_strict(Relation relation) { return relation == Relation::LESS || relation == Relation::GREATER || relation == Relation::NOT_EQUAL; }
 
   // Whether a function that is one equality of the system more is zero at a point on a plane.
   bool vanishes_at(const Constraint_system_d& system, const Plane_point& point)

@@ -7,11 +7,9 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_polynomials.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Polynomial_jets.h>
-#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
-#include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -51,35 +49,26 @@ class Singular_point_test
   using Interval = CGAL::Interval_nt<false>;   // within an Upward_rounding_guard
   using Matrix = std::vector<std::vector<Interval>>;
 
+  const Curve_polynomials& m_curves;
   const Exact_ranges& m_box;
-  Constraint_system_d m_system;
-  std::vector<Power_polynomial> m_equations, m_centred;   // the latter in the differences from the middle of the box, so that intervals do not cancel
-  std::vector<Exact_rational> m_middle;
+  Exact_point m_middle;
+  std::vector<Power_polynomial> m_centred;   // the equations in the differences from the middle of the box, so that intervals do not cancel
   std::size_t m_dimension;
 
   static constexpr double largest_error = 0.3;
 
 public:
-  // The box lies within one cell.
-  Singular_point_test(const Constraint_system_d& system, const Exact_ranges& box) : m_box(box), m_system(on_cell(system, box)), m_dimension(box.size())
+  Singular_point_test(const Curve_polynomials& curves, const Exact_ranges& box) : m_curves(curves), m_box(box), m_dimension(box.size())
   {
-    for (const Spline_function& function : m_system.equalities())
-      m_equations.push_back(*restricted(function, Partial_point(m_dimension)));
     for (const auto& [lower, upper] : m_box)
       m_middle.push_back(Exact_rational((lower + upper) / 2));
-    for (Power_polynomial polynomial : m_equations) {
-      for (std::size_t j = 0; j < m_dimension; ++j)
-        polynomial = polynomial.substituted(static_cast<int>(j), Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(m_middle[j]));
-      m_centred.push_back(std::move(polynomial));
-    }
+    for (const Power_polynomial& equation : m_curves.equations())
+      m_centred.push_back(centred(equation, m_middle));
   }
 
   std::optional<Proved_singularity> operator()() const
   {
-    constexpr std::size_t largest_dimension = 4;
-    if (m_dimension > largest_dimension)
-      return std::nullopt;
-    const std::optional<Exact_ranges> point = singular_point();
+    const std::optional<Exact_ranges> point = m_curves.singular_point_in(m_box);
     if (!point)
       return std::nullopt;
     const Mpfr_precision_scope precision(128);
@@ -90,46 +79,6 @@ public:
   }
 
 private:
-  // Where all minors vanish too; nothing unless it is one point.
-  std::optional<Exact_ranges> singular_point() const
-  {
-    Constraint_system_d system(m_box);
-    for (const Power_polynomial& equation : m_equations)
-      system.add(equation, Relation::EQUAL);
-    for (std::size_t omitted = 0; omitted < m_dimension; ++omitted) {
-      std::vector<std::size_t> columns;
-      for (std::size_t j = 0; j < m_dimension; ++j)
-        if (j != omitted)
-          columns.push_back(j);
-      if (const Power_polynomial minor = determinant(0, columns); !minor.is_zero())
-        system.add(minor, Relation::EQUAL);
-    }
-    if (system.equalities().size() < m_dimension)
-      return std::nullopt;
-    const Solution_set_d<double> points = Subdivision_solver_d<Certified_solver_traits>()(system);
-    if (points.size() != 1 || !points.is_complete() || points.begin()->kind() == Solution_kind::CONTINUUM)
-      return std::nullopt;
-    return points.begin()->exact_box();
-  }
-
-  // Of the derivatives of the equations from a row on, by the unknowns in the columns.
-  Power_polynomial determinant(std::size_t row, const std::vector<std::size_t>& columns) const
-  {
-    if (columns.empty())
-      return Power_polynomial(Exact_rational(1));
-    Power_polynomial result;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      std::vector<std::size_t> others = columns;
-      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-      const Power_polynomial term = m_equations[row].derivative(static_cast<int>(columns[k])) * determinant(row + 1, others);
-      if (k % 2 == 0)
-        result += term;
-      else
-        result -= term;
-    }
-    return result;
-  }
-
   Polynomial_jets jets(const Exact_ranges& box, int order) const
   {
     std::vector<Mpfr_interval> numbers;
@@ -146,8 +95,8 @@ private:
 
   Matrix jacobian(const Polynomial_jets& jets) const
   {
-    Matrix result(m_equations.size(), std::vector<Interval>(m_dimension));
-    for (std::size_t i = 0; i < m_equations.size(); ++i)
+    Matrix result(m_centred.size(), std::vector<Interval>(m_dimension));
+    for (std::size_t i = 0; i < m_centred.size(); ++i)
       for (std::size_t j = 0; j < m_dimension; ++j)
         result[i][j] = rounded(jets.gradient(i, j));
     return result;
@@ -161,7 +110,7 @@ private:
   {
     const Polynomial_jets on_box = jets(m_box, 2);
     const Matrix on_all = jacobian(on_box), at_point = jacobian(jets(point, 1));
-    const std::size_t equations = m_equations.size(), solved = equations - 1, length = m_dimension + equations;
+    const std::size_t equations = m_centred.size(), solved = equations - 1, length = m_dimension + equations;
     std::vector<double> rows(equations * length, 0.0);   // (J | I)
     for (std::size_t i = 0; i < equations; ++i) {
       for (std::size_t j = 0; j < m_dimension; ++j)
