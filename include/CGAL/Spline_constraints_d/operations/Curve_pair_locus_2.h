@@ -9,7 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
 
@@ -33,25 +33,6 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
   if (!(share > 0))
     return {0, 0, 2 * radius};
   return {2 * radius * x * share, 2 * radius * y * share, 2 * radius * (1 - share)};
-}
-
-inline bool is_zero(const Spline_function& function)
-{
-  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
-  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
-}
-
-// The curves of solutions of a system; everything is undecided where an equation is always satisfied.
-inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
-{
-  if (std::none_of(system.equalities().begin(), system.equalities().end(), is_zero))
-    return solve_curves(system, options);
-  Curve_vertex::Exact_box domain;
-  for (int j = 0; j < system.dimension(); ++j)
-    domain.push_back(system.domain(j));
-  Summary summary;
-  summary.is_complete = false;
-  return Curve_solution_set_d({}, {}, {}, {}, {{{domain}, {}, Undecided_reason::CONTINUUM}}, summary);
 }
 
 } // namespace internal
