@@ -85,13 +85,13 @@ private:
 
   Exact_rational width(int axis) const { return Exact_rational(m_ranges[axis].second - m_ranges[axis].first); }
 
-  // f(u,v,s,t), which is zero where (u,v) = (s,t), as (u - s) a + (v - t) b, by one point moved in two steps; both ways round, so that nothing depends on the order of the parameters.
+  // f(u,v,s,t), which is zero where (u,v) = (s,t), as (u - s) a + (v - t) b in units of the widths: by way of (s,v).
   std::pair<Power_polynomial, Power_polynomial> divided_differences(const Power_polynomial& f) const
   {
     const auto x = [](int i) { return Power_polynomial::variable(i); };
-    const Power_polynomial along_v = composed(f, {x(2), x(1), x(2), x(3)}), along_u = composed(f, {x(0), x(3), x(2), x(3)});
+    const Power_polynomial between = composed(f, {x(2), x(1), x(2), x(3)});
     const auto quotient = [&](const Power_polynomial& g, int axis) { return *Polynomial_divisor(m_offset[axis]).quotient(g); };
-    return {quotient(f - along_v + along_u, 0), quotient(f - along_u + along_v, 1)};
+    return {quotient(f - between, 0), quotient(between, 1)};
   }
 };
 

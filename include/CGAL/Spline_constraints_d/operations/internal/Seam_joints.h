@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
 
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,7 +38,7 @@ class Seam_joints
 
   const Curve_solution_set_d& m_set;
   std::vector<std::size_t> m_point;                               // of each vertex, a vertex that is the same point in space
-  std::vector<std::vector<std::pair<std::size_t, int>>> m_ends;   // per such point: the curves that end there, and with which end
+  std::vector<std::vector<Curve_end>> m_ends;   // per such point: those of curves that lie there
   std::vector<std::size_t> m_unmatched, m_equal_pairs;
   Box m_domain;
   std::vector<std::size_t> m_exchange;
@@ -70,7 +72,7 @@ public:
     for (std::size_t c = 0; c < set.curves().size(); ++c)
       for (const int side : {0, 1})
         if (!set.curves()[c].is_closed)
-          m_ends[point_at(c, side)].emplace_back(c, side);
+          m_ends[point_at(c, side)].push_back({c, side});
   }
 
   // The vertices on a seam for which there is not just one on its other side.
@@ -84,19 +86,10 @@ public:
 
   std::vector<Intersection_curve> curves() const
   {
-    std::vector<Intersection_curve> result;
-    std::vector<bool> is_used(m_set.curves().size(), false);
-    const auto add = [&](std::size_t curve, int side) {
-      if (!is_used[curve])
-        result.push_back(chain(curve, side, is_used));
-    };
-    for (std::size_t c = 0; c < is_used.size(); ++c)   // first those with ends
-      for (const int side : {0, 1})
-        if (!m_set.curves()[c].is_closed && !goes_on(point_at(c, side)))
-          add(c, side);
-    for (std::size_t c = 0; c < is_used.size(); ++c)
-      add(c, 0);
-    return result;
+    std::vector<bool> is_closed;
+    for (const Solution_curve& curve : m_set.curves())
+      is_closed.push_back(curve.is_closed);
+    return chains_of_curves(is_closed, [&](const Curve_end& end) { return next(end); });
   }
 
   // The points without curves, each once.
@@ -137,23 +130,12 @@ private:
            std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) { return std::any_of(region.vertices.begin(), region.vertices.end(), is_it); });
   }
 
-  Intersection_curve chain(std::size_t curve, int side, std::vector<bool>& is_used) const
+  std::optional<Curve_end> next(const Curve_end& end) const
   {
-    Intersection_curve result{{}, m_set.curves()[curve].is_closed};
-    const std::pair<std::size_t, int> first(curve, side);
-    for (std::pair<std::size_t, int> begin = first;;) {
-      is_used[begin.first] = true;
-      result.arcs.push_back({begin.first, begin.second == 1});
-      const std::size_t point = point_at(begin.first, 1 - begin.second);
-      if (result.is_closed || !goes_on(point))
-        return result;
-      const std::pair end(begin.first, 1 - begin.second);
-      begin = m_ends[point][m_ends[point][0] == end ? 1 : 0];
-      if (begin == first) {
-        result.is_closed = true;
-        return result;
-      }
-    }
+    const std::size_t point = point_at(end.curve, end.side);
+    if (!goes_on(point))
+      return std::nullopt;
+    return m_ends[point][m_ends[point][0] == end ? 1 : 0];
   }
 
   void identify(std::size_t unknown, bool is_upper)
