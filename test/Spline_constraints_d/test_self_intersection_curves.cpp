@@ -166,9 +166,16 @@ TEST(Self_intersection_curves, none)
 
 TEST(Self_intersection_curves, undecided)
 {
-  // A sheet that lies on itself, and a cuspidal edge.
+  // A sheet that lies on itself, a common edge, an edge that is one point, and a cuspidal edge.
   const Surface fold = polynomial_surface(1, [](const Function& u, const Function& v) { return std::array{u * u, v, u * Rational(0)}; });
   EXPECT_FALSE(SC::self_intersection_curves(fold).is_complete());
+  const Surface drop = polynomial_surface(1, [](const Function& u, const Function& v) { return std::array{u * u, u * u * u - u, v}; });
+  EXPECT_FALSE(SC::self_intersection_curves(drop, {.tolerance = 1e-3}).is_complete());
+  const Surface cone = polynomial_surface(1, [](const Function& u, const Function& v) {
+    const Function height = v + Rational(1);
+    return std::array{height * u, height, height * u * u};
+  });
+  EXPECT_FALSE(SC::self_intersection_curves(cone, {.tolerance = 1e-2}).is_complete());
   const Surface cusp = polynomial_surface(1, [](const Function& u, const Function& v) { return std::array{u * u, u * u * u, v}; });
   const Intersection set = SC::self_intersection_curves(cusp);
   EXPECT_FALSE(set.is_complete());

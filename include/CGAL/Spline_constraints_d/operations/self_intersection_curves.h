@@ -19,11 +19,11 @@ namespace Spline_constraints {
 \ingroup PkgSplineConstraintsDOperations
 
 all curves in which a surface meets itself: the pairs of parameters \f$(u,v) \neq (s,t)\f$ with \f$S(u,v) = S(s,t)\f$, with a proof of their number and of how they are connected. No closed curve is lost, however small, and nothing is joined by distance.
-Both surfaces of the result are the given one; each pair comes once, in one of its orders, so that a curve in space is one curve of the result, with two curves of parameters, unless it is passed three times.
+Both surfaces of the result are the given one. Each pair comes once, in one of its orders: a curve in space that two sheets pass is one curve of the result.
 
 With \f$(u-s,\,v-t) = h\,d\f$ and a direction \f$d\f$, \f$S(u,v) - S(s,t) = h\,(d_0 A + d_1 B)\f$ with polynomials \f$A\f$ and \f$B\f$, by exact division. So the diagonal \f$(u,v) = (s,t)\f$ satisfies what is left only where \f$S_u\f$ and \f$S_v\f$ are
 dependent. Where this is a single point inside of the surface, it is a *pinch point* as that of the Whitney umbrella, a certified end of a curve: one of the `Surface_intersection::singular_points()`, and \link Surface_intersection::end() the end\endlink is `TANGENT`.
-A surface whose normals are proved to lie in a half-space, up to bounds, is one-to-one, and nothing is solved.
+A surface is one-to-one, and nothing is solved, if bounds of its derivatives prove that all \f$S_u \times S_v\f$ lie in a half-space.
 
 The unknowns of `Surface_intersection::solutions()` are \f$u, v, s, t\f$ and a parameter in \f$[-1,1]\f$ of the direction. Curves end on the edges of the surface. Where three sheets meet in a point, three curves pass it, each of two sheets.
 

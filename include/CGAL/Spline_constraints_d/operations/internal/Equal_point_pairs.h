@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_EQUAL_POINT_PAIRS_H
 
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
@@ -23,17 +23,15 @@ namespace internal {
 // Whether n x S_u x S_v is positive for some n and all derivatives within their bounds. Then S(P) = S(Q) for no P != Q: the difference is (u - s) x + (v - t) y, where x and y are means of the derivatives, which have the same bounds.
 inline bool is_one_to_one(const Spline_patch<3>& surface)
 {
-  const auto cross = [](const auto& a, const auto& b) { return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; };
+  const auto cross = [](const auto& a, const auto& b) { return Vector_bounds<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; };
   const std::array<Vector_bounds<3>, 2> tangents{surface.tangents(0), surface.tangents(1)};
-  std::array<std::array<double, 3>, 2> middle;
+  std::array<Exact_vector<3>, 2> middle;
   for (std::size_t axis = 0; axis < 2; ++axis)
     for (std::size_t i = 0; i < 3; ++i)
-      middle[axis][i] = to_nearest_double(middle_of({tangents[axis][i].lower, tangents[axis][i].upper}));
-  const std::array<double, 3> n = cross(middle[0], middle[1]);
-  Vector_bounds<3> normal;
-  for (std::size_t i = 0; i < 3; ++i)
-    normal[i] = Rational_interval(Exact_rational(n[i]));
-  return dot(normal, Vector_bounds<3>(cross(tangents[0], tangents[1]))).lower > 0;
+      middle[axis][i] = middle_of({tangents[axis][i].lower, tangents[axis][i].upper});
+  const Exact_vector<3> n = exact_cross(middle[0], middle[1]);
+  const Vector_bounds<3> normal{Rational_interval(n[0]), Rational_interval(n[1]), Rational_interval(n[2])};
+  return dot(normal, cross(tangents[0], tangents[1])).lower > 0;
 }
 
 /*
