@@ -94,6 +94,7 @@ private:
   bool move_to_curve(int parameter, Point& point)
   {
     constexpr int most_steps = 12;
+    double last = 0;
     for (int step = 0; step < most_steps; ++step) {
       const std::vector<double> values = values_at(point);
       const std::size_t length = static_cast<std::size_t>(n());   // n - 1 unknowns and the values
@@ -125,8 +126,10 @@ private:
         }
       if (!std::isfinite(longest))
         return false;
-      if (longest <= 0x1p-30 * (std::max)(size, 0x1p-20))   // the error after a step is at most about 2^-20 of it
+      const double next = step == 0 ? longest : longest * (longest / last);   // if steps become shorter at the same rate; they do so faster
+      if (next <= 0x1p-50 * (std::max)(size, 0x1p-20))
         return true;
+      last = longest;
     }
     return false;
   }
