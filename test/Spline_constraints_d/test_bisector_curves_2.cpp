@@ -17,6 +17,8 @@
 
 namespace {
 
+using Rational = SC::Exact_rational;
+
 Curve cubic(const std::vector<Point>& points) { return SC::bezier_curve(points); }
 
 // Calls check(x, y) for points of all curves, which are at the same distance from both curves along their normals.
@@ -113,6 +115,30 @@ TEST(Bisector_curves_2, random_cubics_and_motions)
     check_points(locus, c1, c2);
   }
   EXPECT_GT(curves, 8u);
+}
+
+// (a t^2, a t^3) with a cusp inside, at an irrational parameter in the second case, and the line x = -1: no point of it but the one below the cusp has a circle that touches the curve there.
+TEST(Bisector_curves_2, cusps)
+{
+  const auto expect_no_pencil = [](const Curve& cusp, const Curve& line, double parameter) {
+    const Locus locus = SC::bisector_curves(cusp, line);
+    EXPECT_TRUE(locus.is_complete()) << locus;
+    EXPECT_FALSE(locus.curves().empty());
+    std::size_t near_cusp = 0;
+    for (const Locus::Curve& curve : locus.curves())
+      for (const auto& sample : locus.polyline(curve, 1e-3, 10)) {
+        const double x = CGAL::to_double(sample.point.x()), y = CGAL::to_double(sample.point.y());
+        const Vector foot = rounded(SC::Spline_map<1, 2>(cusp)(std::array{SC::Exact_rational(sample.parameters[0])}));
+        EXPECT_NEAR(std::hypot(x - foot[0], y - foot[1]), std::abs(x + 1), 1e-9 * (1 + x * x + y * y));   // as far from the line
+        near_cusp += std::abs(sample.parameters[0] - parameter) < 1e-2;
+      }
+    EXPECT_LT(near_cusp, 20u);
+  };
+  const Curve line = SC::polyline_curve(std::vector<Point>{{-1, -2}, {-1, 2}});
+  expect_no_pencil(cubic({{1, -1}, {Rational(-1, 3), 1}, {Rational(-1, 3), -1}, {1, 1}}), line, 0.5);   // ((2t-1)^2, (2t-1)^3)
+  // C' = (t^2 - 1/2) (1, t): the coordinates t^3/3 - t/2 and t^4/4 - t^2/4
+  const Curve quartic = cubic({{0, 0}, {Rational(-1, 8), 0}, {Rational(-1, 4), Rational(-1, 24)}, {Rational(-7, 24), Rational(-1, 8)}, {Rational(-1, 6), 0}});
+  expect_no_pencil(quartic, line, std::sqrt(0.5));
 }
 
 // The circles intersect at the seam of the first one, where two branches of the bisector cross: what is not proved there is listed.

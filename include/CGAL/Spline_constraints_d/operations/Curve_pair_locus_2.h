@@ -9,7 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
 
@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <utility>
 #include <vector>
@@ -33,25 +34,6 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
   if (!(share > 0))
     return {0, 0, 2 * radius};
   return {2 * radius * x * share, 2 * radius * y * share, 2 * radius * (1 - share)};
-}
-
-inline bool is_zero(const Spline_function& function)
-{
-  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
-  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
-}
-
-// The curves of solutions of a system; everything is undecided where an equation is always satisfied.
-inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
-{
-  if (std::none_of(system.equalities().begin(), system.equalities().end(), is_zero))
-    return solve_curves(system, options);
-  Curve_vertex::Exact_box domain;
-  for (int j = 0; j < system.dimension(); ++j)
-    domain.push_back(system.domain(j));
-  Summary summary;
-  summary.is_complete = false;
-  return Curve_solution_set_d({}, {}, {}, {}, {{{domain}, {}, Undecided_reason::CONTINUUM}}, summary);
 }
 
 } // namespace internal
@@ -76,7 +58,7 @@ struct Curve_pair_sample
 
 Curves in the plane whose points belong to one point on each of two curves, or to two of one curve: their bisector, for example. They are solutions of equations in both parameters, with a proved topology.
 
-A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there.
+A curve of the result ends where one of the parameters is at the end of its part, in a singular point, or at infinity. It goes on across the seam of a closed curve that is smooth there, and in other parts where an operation says so.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -87,12 +69,19 @@ public:
   //! a point of a polyline.
   using Sample = Curve_pair_sample<Kernel>;
 
+  //! a part of one of the curves without seams or breaks inside.
+  struct Arc
+  {
+    std::size_t part;    ///< the index of two parts of the operands, all with the first part of the first curve before others
+    std::size_t index;   ///< that of the curve in `solutions(part)`
+    bool is_reversed;    ///< whether it is passed from its end to its begin
+  };
+
   //! one of the curves.
   struct Curve
   {
-    std::size_t part;                     ///< the index of the two parts, all with the first part of the first curve before others
-    std::vector<Intersection_arc> arcs;   ///< between seams; indices are those of curves in `solutions(part)`
-    bool is_closed;                       ///< whether the last arc ends where the first one begins
+    std::vector<Arc> arcs;   ///< in order; each begins in the point where the one before ends
+    bool is_closed;          ///< whether the last arc ends where the first one begins
   };
 
 private:
@@ -130,8 +119,11 @@ public:
     m_parts.push_back({parts, system, internal::Curve_cuts(internal::curves_or_continuum(system, options))(poles, rest)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
     const internal::Seam_joints joints(system, set, parts.closed_unknowns);
-    for (Intersection_curve& curve : joints.curves())
-      m_curves.push_back({m_parts.size() - 1, std::move(curve.arcs), curve.is_closed});
+    for (const Intersection_curve& curve : joints.curves()) {
+      m_curves.push_back({{}, curve.is_closed});
+      for (const Intersection_arc& arc : curve.arcs)
+        m_curves.back().arcs.push_back({m_parts.size() - 1, arc.index, arc.is_reversed});
+    }
     for (const std::size_t i : set.singular_points())
       m_singular_points.push_back(set.vertices()[i]);
     m_undecided.insert(m_undecided.end(), set.undecided().begin(), set.undecided().end());
@@ -143,6 +135,33 @@ public:
     m_summary.nodes += set.summary().nodes;
     m_summary.seconds += set.summary().seconds;
     m_summary.is_complete = m_summary.is_complete && set.is_complete() && rest.empty() && joints.unmatched().empty();
+  }
+
+  // Joins the curves of different parts. An end that may go on in another part, but not in just one curve there, is undecided.
+  void join_parts()
+  {
+    std::vector<std::pair<internal::Curve_end, internal::Joint_place>> ends;
+    for (std::size_t c = 0; c < m_curves.size(); ++c)
+      for (const int side : {0, 1})
+        if (const auto [part, vertex] = vertex_at_end(m_curves[c], side); !m_curves[c].is_closed && m_parts[part].parts.place && vertex->is_on_boundary && !vertex->is_on_inequality)
+          if (const auto place = m_parts[part].parts.place(vertex->box))
+            ends.push_back({{c, side}, *place});
+    const auto partners = [&](const auto& end) {
+      std::vector<std::size_t> result;
+      for (std::size_t i = 0; i < ends.size(); ++i)
+        if (!(ends[i].first == end.first) && ends[i].second.may_be(end.second))
+          result.push_back(i);
+      return result;
+    };
+    std::vector<std::array<std::optional<internal::Curve_end>, 2>> next(m_curves.size());
+    for (const auto& end : ends)
+      if (const std::vector<std::size_t> found = partners(end); found.size() == 1 && partners(ends[found[0]]).size() == 1)
+        next[end.first.curve][end.first.side] = ends[found[0]].first;
+      else {
+        m_undecided.push_back({{vertex_at_end(m_curves[end.first.curve], end.first.side).second->box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+        m_summary.is_complete = false;
+      }
+    join(next);
   }
 
   void add_work(const Summary& work)
@@ -181,13 +200,7 @@ public:
   const Curve_solution_set_d& solutions(std::size_t part) const { return m_parts[part].solutions; }
 
   //! whether the first (`side` 0) or last (`side` 1) end of a curve is at infinity.
-  bool ends_at_infinity(const Curve& curve, int side) const
-  {
-    const Intersection_arc& arc = side == 0 ? curve.arcs.front() : curve.arcs.back();
-    const Curve_solution_set_d& set = m_parts[curve.part].solutions;
-    const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
-    return !curve.is_closed && m_poles > 0 && set.vertices()[(side == 0) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]].is_on_inequality;
-  }
+  bool ends_at_infinity(const Curve& curve, int side) const { return !curve.is_closed && m_poles > 0 && vertex_at_end(curve, side).second->is_on_inequality; }
 
   /*!
   points along a curve, so many that it passes the middles of their chords at no more than a given distance. Far from the origin a larger distance will do: all is seen in the stereographic projection to a sphere
@@ -201,15 +214,15 @@ public:
   {
     if (!(error > 0) || !(radius > 0))
       throw Invalid_input("Curve_pair_locus_2: the error and the radius must be positive");
-    const Part& part = m_parts[curve.part];
     struct Image
     {
       internal::Double_pair point;
       std::array<double, 3> on_sphere;
     };
     const auto is_chord = [&](const auto& from, const auto& between, const auto& to) { return internal::distance_from_middle(from.image.on_sphere, between.image.on_sphere, to.image.on_sphere) <= error; };
-    std::vector<internal::Curve_sample<Image>> samples;
-    for (const Intersection_arc& arc : curve.arcs) {
+    std::vector<std::pair<internal::Double_pair, std::array<double, 2>>> samples;   // points and parameters; the ends may be at infinity
+    for (const Arc& arc : curve.arcs) {
+      const Part& part = m_parts[arc.part];
       const auto image = [&](const std::vector<double>& unknowns) {
         const internal::Double_pair p = m_point(part.parts.points(unknowns), unknowns);
         return Image{p, internal::on_sphere(p, radius)};
@@ -217,16 +230,49 @@ public:
       auto more = internal::curve_samples(part.system, part.solutions, part.solutions.curves()[arc.index], image, is_chord);
       if (arc.is_reversed)
         std::reverse(more.begin(), more.end());
-      samples.insert(samples.end(), more.begin(), more.end());
+      for (const auto& [unknowns, place] : more)
+        samples.emplace_back(place.point, part.parts.parameters(unknowns));
     }
     if (ends_at_infinity(curve, 0))
       samples.erase(samples.begin());
     if (ends_at_infinity(curve, 1))
       samples.pop_back();
     std::vector<Sample> result;
-    for (const auto& [unknowns, place] : samples)
-      result.push_back({typename Kernel::Point_2(place.point[0], place.point[1]), part.parts.parameters(unknowns)});
+    for (const auto& [point, parameters] : samples)
+      result.push_back({typename Kernel::Point_2(point[0], point[1]), parameters});
     return result;
+  }
+
+private:
+  // The part and the vertex where a curve that is not closed begins or ends.
+  std::pair<std::size_t, const Curve_vertex*> vertex_at_end(const Curve& curve, int side) const
+  {
+    const Arc& arc = side == 0 ? curve.arcs.front() : curve.arcs.back();
+    const Curve_solution_set_d& set = m_parts[arc.part].solutions;
+    const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
+    return {arc.part, &set.vertices()[(side == 0) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]]};
+  }
+
+  // Joins curves in their ends.
+  void join(const std::vector<std::array<std::optional<internal::Curve_end>, 2>>& next)
+  {
+    std::vector<bool> is_closed;
+    for (const Curve& curve : m_curves)
+      is_closed.push_back(curve.is_closed);
+    std::vector<Curve> joined;
+    for (const Intersection_curve& chain : internal::chains_of_curves(is_closed, [&](const internal::Curve_end& end) { return next[end.curve][end.side]; })) {
+      joined.push_back({{}, chain.is_closed});
+      for (const auto& [index, is_reversed] : chain.arcs) {
+        std::vector<Arc> arcs = m_curves[index].arcs;
+        if (is_reversed) {
+          std::reverse(arcs.begin(), arcs.end());
+          for (Arc& arc : arcs)
+            arc.is_reversed = !arc.is_reversed;
+        }
+        joined.back().arcs.insert(joined.back().arcs.end(), arcs.begin(), arcs.end());
+      }
+    }
+    m_curves = std::move(joined);
   }
 };
 

@@ -63,6 +63,7 @@ private:
   Curve_solution_set_d m_solutions;
   std::vector<Intersection_curve> m_curves;
   std::vector<Special_point> m_points, m_singular_points, m_undecided;
+  std::vector<std::size_t> m_pinch_points;   // vertices
   Summary m_summary;
 
 public:
@@ -72,12 +73,15 @@ public:
   {
     if (!m_surfaces.has_system())
       return;
-    const internal::Seam_joints joints(m_surfaces.system(), m_solutions, m_surfaces.closed_unknowns());
+    const internal::Seam_joints joints(m_surfaces.system(), m_solutions, m_surfaces.closed_unknowns(), {}, m_surfaces.exchange());
     m_curves = joints.curves();
     m_summary.is_complete = m_summary.is_complete && joints.unmatched().empty();
     for (const std::size_t i : joints.points())
       m_points.push_back(special_point(Intersection_kind::END_POINT, m_solutions.vertices()[i].box));
     for (const std::size_t i : m_solutions.singular_points())
+      m_singular_points.push_back(special_point(Intersection_kind::TANGENT, m_solutions.vertices()[i].box));
+    m_pinch_points = joints.equal_pairs();
+    for (const std::size_t i : m_pinch_points)
       m_singular_points.push_back(special_point(Intersection_kind::TANGENT, m_solutions.vertices()[i].box));
     for (const Undecided_region& region : m_solutions.undecided())
       m_undecided.push_back(special_point(Intersection_kind::UNDECIDED, hull(region.boxes)));
@@ -95,7 +99,7 @@ public:
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
-  //! singular points: where curves cross, and where surfaces touch without having others in common near it.
+  //! singular points: where curves cross, where surfaces touch without having others in common near it, and pinch points of one surface, where a curve ends in which it meets itself.
   const std::vector<Special_point>& singular_points() const { return m_singular_points; }
 
   //! points on an edge of a surface without others near them.
@@ -115,11 +119,12 @@ public:
     const std::size_t i = (side == 0 || curve.is_closed) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1];
     const Curve_vertex& vertex = m_solutions.vertices()[i];
     const auto has_it = [i](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), i) != region.vertices.end(); };
-    const bool is_undecided = std::any_of(m_solutions.undecided().begin(), m_solutions.undecided().end(), has_it);
-    return special_point(curve.is_closed      ? Intersection_kind::TRANSVERSAL
-                         : vertex.is_singular ? Intersection_kind::TANGENT
-                         : is_undecided       ? Intersection_kind::UNDECIDED
-                                              : Intersection_kind::END_POINT,
+    const bool is_pinch_point = std::find(m_pinch_points.begin(), m_pinch_points.end(), i) != m_pinch_points.end();
+    const bool is_undecided = vertex.is_on_inequality || std::any_of(m_solutions.undecided().begin(), m_solutions.undecided().end(), has_it);
+    return special_point(curve.is_closed                        ? Intersection_kind::TRANSVERSAL
+                         : vertex.is_singular || is_pinch_point ? Intersection_kind::TANGENT
+                         : is_undecided                         ? Intersection_kind::UNDECIDED
+                                                                : Intersection_kind::END_POINT,
                          vertex.box);
   }
 

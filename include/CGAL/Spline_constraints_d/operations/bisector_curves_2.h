@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_BISECTOR_CURVES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_BISECTOR_CURVES_2_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/tangent_direction.h>
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
@@ -42,7 +43,10 @@ which is equation (20) of \cgalCite{kes-gcps-05} with the center from (21) and (
 certified, and the curves are cut there.
 
 The curves are taken apart where their derivatives jump, and each two smooth parts have curves of their own. Ends of the curves and corners are not taken for sites here. Where two curves intersect, two branches of the bisector
-cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, the bisector is undecided. Where the derivative of one is zero, all points of the other one satisfy the equation, with centers of circles that only pass through that point.
+cross: a singular point, if the intersection is transversal and inside of both. Where they touch or coincide, the bisector is undecided.
+
+At a cusp \f$C_i' = 0\f$ all points of the other curve would satisfy the equation, with centers of circles that only pass through the cusp. So derivatives are divided by the common factor of their coordinates, exactly; what is left of one has the direction of the tangent at a cusp as well. A polynomial piece with
+such a factor is a part of its own.
 
 \tparam C1,C2 models of `ParametricCurve_2`; points of the result are those of the kernel of `C1`.
 \param c1 the first curve.
@@ -58,7 +62,7 @@ Curve_pair_locus_2<typename C1::Kernel> bisector_curves(const C1& c1, const C2& 
   using namespace internal;
   Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_circle(pair); });
   Summing_solver solve(options);
-  visit_pairs_of_smooth_parts(Planar_map(c1), Planar_map(c2), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
+  visit_pairs_of_parts(parts_with_tangents(Planar_map(c1)), parts_with_tangents(Planar_map(c2)), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
     const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u), b = parts.second(1, v);
     const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});
     result.add(parts, {dot(a, d) * determinant(b, d) + dot(b, d) * determinant(a, d) == 0}, {u, v}, options, {at_infinity.begin(), at_infinity.end()});

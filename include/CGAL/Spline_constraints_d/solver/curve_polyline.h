@@ -38,6 +38,7 @@ class Curve_sampler
   System_layout m_layout;
   Exact_source m_source;
   std::vector<Exact_source::Value> m_values;
+  Cell m_cell;   // that the source is at home in
 
 public:
   explicit Curve_sampler(const Constraint_system_d& system) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout) {}
@@ -89,10 +90,11 @@ private:
     return true;
   }
 
-  // Newton's method with exact values, and differences of these for derivatives.
+  // Newton's method with values that are exact for doubles, and differences of these for derivatives.
   bool move_to_curve(int parameter, Point& point)
   {
     constexpr int most_steps = 12;
+    double last = 0;
     for (int step = 0; step < most_steps; ++step) {
       const std::vector<double> values = values_at(point);
       const std::size_t length = static_cast<std::size_t>(n());   // n - 1 unknowns and the values
@@ -124,17 +126,36 @@ private:
         }
       if (!std::isfinite(longest))
         return false;
-      if (longest <= 0x1p-50 * (std::max)(size, 0x1p-20))
+      const double next = step == 0 ? longest : longest * (longest / last);   // if steps become shorter at the same rate; they do so faster
+      if (next <= 0x1p-50 * (std::max)(size, 0x1p-20))
         return true;
+      last = longest;
     }
     return false;
+  }
+
+  // Makes values in a cell cheap: exact ones take several times as long, and those with 127 bits are more than doubles need.
+  void enter(const Cell& cell)
+  {
+    m_cell = cell;
+    std::vector<double> lower, upper;
+    for (int v = 0; v < n(); ++v) {
+      const std::vector<Exact_rational>& breaks = m_source.breaks()[v];
+      const auto [begin, end] = breaks.empty() ? m_system.domain(v) : std::pair(breaks[cell[v]], breaks[cell[v] + 1]);
+      lower.push_back(to_double_interval(begin).first);
+      upper.push_back(to_double_interval(end).second);
+    }
+    m_source.set_home(cell, std::span<const double>(lower), std::span<const double>(upper));
   }
 
   // Of the equalities, up to a power of two.
   std::vector<double> values_at(const Point& point)
   {
     constexpr long largest_exponent = 900;
-    m_source.evaluate(m_source.cell_of(std::span<const double>(point)), std::span<const double>(point), m_values);
+    const Cell cell = m_source.cell_of(std::span<const double>(point));
+    if (cell != m_cell)
+      enter(cell);
+    m_source.evaluate_closely(cell, std::span<const double>(point), m_values);
     std::vector<double> result;
     for (const Exact_source::Value& value : m_values)
       result.push_back(std::ldexp(value.mantissa, static_cast<int>((std::max)(-largest_exponent, (std::min)(value.exponent, largest_exponent)))));

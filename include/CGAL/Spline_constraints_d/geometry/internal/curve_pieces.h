@@ -36,6 +36,14 @@ public:
       m_derivatives.push_back(derivative(m_derivatives.back()));
   }
 
+  // With a multiple of the derivative in its place.
+  Differentiated_map with_tangent(Planar_map tangent) const
+  {
+    Differentiated_map result(*this);
+    result.m_derivatives[1] = std::move(tangent);
+    return result;
+  }
+
   const Planar_map& map() const { return m_derivatives[0]; }
   int order() const { return static_cast<int>(m_derivatives.size()) - 1; }
   const Exact_rational& begin() const { return map().domain(0).first; }

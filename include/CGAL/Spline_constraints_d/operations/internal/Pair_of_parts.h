@@ -8,11 +8,14 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Joint_place.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,6 +55,7 @@ struct Pair_of_parts
   Differentiated_map first, second;
   std::function<Double_pair(const std::vector<double>&)> parameters;
   std::vector<std::size_t> closed_unknowns;   // those at both ends of whose ranges the equation has the same solutions
+  std::function<std::optional<Joint_place>(const Curve_vertex::Exact_box&)> place = {};   // where a curve goes on in another part, if it may, in a solution on the boundary
 
   Pair_of_points points(const std::vector<double>& unknowns) const { return pair_of_points(first, second, parameters(unknowns)); }
 };
@@ -63,11 +67,10 @@ inline Exact_range speed_range(const Differentiated_map& curve, const std::strin
   return length_range<2>(tangent, {curve.map().domain(0)}, who + ": the derivative of the curve");
 }
 
-// Calls visit(parts, u, v) for each two smooth parts of two curves, whose parameters are the unknowns u and v.
+// Calls visit(parts, u, v) for each two parts of two curves, whose parameters are the unknowns u and v.
 template <class Visit>
-void visit_pairs_of_smooth_parts(const Planar_map& first_curve, const Planar_map& second_curve, const Visit& visit)
+void visit_pairs_of_parts(const std::vector<Smooth_part>& first_parts, const std::vector<Smooth_part>& second_parts, const Visit& visit)
 {
-  const std::vector<Smooth_part> first_parts = smooth_parts(first_curve), second_parts = smooth_parts(second_curve);
   for (const Smooth_part& first : first_parts)
     for (const Smooth_part& second : second_parts) {
       Pair_of_parts parts{first.curve, second.curve, [](const std::vector<double>& unknowns) { return Double_pair{unknowns[0], unknowns[1]}; }, {}};
@@ -77,6 +80,13 @@ void visit_pairs_of_smooth_parts(const Planar_map& first_curve, const Planar_map
       const auto [u, v] = Spline_constraints::parameters(first.curve.map(), second.curve.map());
       visit(parts, u, v);
     }
+}
+
+// For each two smooth parts of two curves.
+template <class Visit>
+void visit_pairs_of_smooth_parts(const Planar_map& first, const Planar_map& second, const Visit& visit)
+{
+  visit_pairs_of_parts(smooth_parts(first), smooth_parts(second), visit);
 }
 
 } // namespace internal

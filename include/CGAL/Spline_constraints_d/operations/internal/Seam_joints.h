@@ -5,13 +5,16 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SEAM_JOINTS_H
 
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
+#include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,24 +29,40 @@ On the faces of the domain at both ends of a closed unknown, the equations have 
 round, the two are the same point: its vertex on the other face has a box that holds it too. What is not that clear is not joined.
 
 A pole is a face of the domain that is one point in space. Two curves that end there, and no others, are joined.
+
+Where solutions are unordered pairs of points, of both orders of a pair only one satisfies the inequality of the system, but for those where it is zero: there both do. So what a solution is the same point as may have its unknowns exchanged.
 */
 class Seam_joints
 {
+  using Box = Curve_vertex::Exact_box;
+
   const Curve_solution_set_d& m_set;
   std::vector<std::size_t> m_point;                               // of each vertex, a vertex that is the same point in space
-  std::vector<std::vector<std::pair<std::size_t, int>>> m_ends;   // per such point: the curves that end there, and with which end
-  std::vector<std::size_t> m_unmatched;
+  std::vector<std::vector<Curve_end>> m_ends;   // per such point: those of curves that lie there
+  std::vector<std::size_t> m_unmatched, m_equal_pairs;
+  Box m_domain;
+  std::vector<std::size_t> m_exchange;
+
+  // A vertex on a face of the domain, where this unknown is at an end.
+  struct Place
+  {
+    std::size_t vertex, unknown;
+  };
 
 public:
   // A face of the domain: an unknown and its value.
   using Face = std::pair<std::size_t, Exact_rational>;
 
-  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns, const std::vector<Face>& poles = {})
-    : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size())
+  // `exchange`: of unordered pairs, for each unknown the one that takes its place in the other order.
+  Seam_joints(const Constraint_system_d& system, const Curve_solution_set_d& set, const std::vector<std::size_t>& closed_unknowns, const std::vector<Face>& poles = {}, std::vector<std::size_t> exchange = {})
+    : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size()), m_domain(domain_of(system)), m_exchange(std::move(exchange))
   {
     std::iota(m_point.begin(), m_point.end(), 0);
     for (const std::size_t unknown : closed_unknowns)
-      identify(unknown, system.domain(static_cast<int>(unknown)));
+      for (const bool is_upper : {false, true})
+        identify(unknown, is_upper);
+    if (!m_exchange.empty())
+      identify_orders();
     for (const auto& [unknown, value] : poles)
       if (const std::vector<std::size_t> all = on_face(unknown, value); !all.empty())
         for (const std::size_t i : all)
@@ -53,30 +72,24 @@ public:
     for (std::size_t c = 0; c < set.curves().size(); ++c)
       for (const int side : {0, 1})
         if (!set.curves()[c].is_closed)
-          m_ends[point_at(c, side)].emplace_back(c, side);
+          m_ends[point_at(c, side)].push_back({c, side});
   }
 
   // The vertices on a seam for which there is not just one on its other side.
   const std::vector<std::size_t>& unmatched() const { return m_unmatched; }
+
+  // The vertices that are pairs of equal points.
+  const std::vector<std::size_t>& equal_pairs() const { return m_equal_pairs; }
 
   // A vertex that stands for all that are the same point in space as a given one.
   std::size_t representative(std::size_t vertex) const { return m_point[vertex]; }
 
   std::vector<Intersection_curve> curves() const
   {
-    std::vector<Intersection_curve> result;
-    std::vector<bool> is_used(m_set.curves().size(), false);
-    const auto add = [&](std::size_t curve, int side) {
-      if (!is_used[curve])
-        result.push_back(chain(curve, side, is_used));
-    };
-    for (std::size_t c = 0; c < is_used.size(); ++c)   // first those with ends
-      for (const int side : {0, 1})
-        if (!m_set.curves()[c].is_closed && !goes_on(point_at(c, side)))
-          add(c, side);
-    for (std::size_t c = 0; c < is_used.size(); ++c)
-      add(c, 0);
-    return result;
+    std::vector<bool> is_closed;
+    for (const Solution_curve& curve : m_set.curves())
+      is_closed.push_back(curve.is_closed);
+    return chains_of_curves(is_closed, [&](const Curve_end& end) { return next(end); });
   }
 
   // The points without curves, each once.
@@ -113,41 +126,69 @@ private:
   bool goes_on(std::size_t point) const
   {
     const auto is_it = [&](std::size_t i) { return m_point[i] == point; };
-    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular && !m_set.vertices()[point].is_on_inequality &&
+    return m_ends[point].size() == 2 && !m_set.vertices()[point].is_singular && (!m_exchange.empty() || !m_set.vertices()[point].is_on_inequality) &&
            std::none_of(m_set.undecided().begin(), m_set.undecided().end(), [&](const Undecided_region& region) { return std::any_of(region.vertices.begin(), region.vertices.end(), is_it); });
   }
 
-  Intersection_curve chain(std::size_t curve, int side, std::vector<bool>& is_used) const
+  std::optional<Curve_end> next(const Curve_end& end) const
   {
-    Intersection_curve result{{}, m_set.curves()[curve].is_closed};
-    const std::pair<std::size_t, int> first(curve, side);
-    for (std::pair<std::size_t, int> begin = first;;) {
-      is_used[begin.first] = true;
-      result.arcs.push_back({begin.first, begin.second == 1});
-      const std::size_t point = point_at(begin.first, 1 - begin.second);
-      if (result.is_closed || !goes_on(point))
-        return result;
-      const std::pair end(begin.first, 1 - begin.second);
-      begin = m_ends[point][m_ends[point][0] == end ? 1 : 0];
-      if (begin == first) {
-        result.is_closed = true;
-        return result;
-      }
+    const std::size_t point = point_at(end.curve, end.side);
+    if (!goes_on(point))
+      return std::nullopt;
+    return m_ends[point][m_ends[point][0] == end ? 1 : 0];
+  }
+
+  void identify(std::size_t unknown, bool is_upper)
+  {
+    for (const std::size_t i : on_face(unknown, is_upper)) {
+      const std::vector<Place> partners = across({i, unknown}, is_upper);
+      if (partners.size() == 1 && across(partners[0], !is_upper).size() == 1)
+        m_point[root(partners[0].vertex)] = root(i);
+      else
+        m_unmatched.push_back(i);
     }
   }
 
-  void identify(std::size_t unknown, const Constraint_system_d::Domain& range)
+  // The vertices on the other side of a seam that may be the same point.
+  std::vector<Place> across(const Place& place, bool is_upper) const
   {
-    const std::vector<std::size_t> lower = on_face(unknown, range.first), upper = on_face(unknown, range.second);
-    for (const auto& [own, others] : {std::pair(&lower, &upper), std::pair(&upper, &lower)})
-      for (const std::size_t i : *own) {
-        const std::vector<std::size_t> partners = meeting(i, *others, unknown);
-        if (partners.size() == 1 && meeting(partners[0], *own, unknown).size() == 1)
-          m_point[root(partners[0])] = root(i);
-        else
-          m_unmatched.push_back(i);
-      }
+    const Box& box = m_set.vertices()[place.vertex].box;
+    std::vector<Place> result;
+    for (const std::size_t i : meeting(box, on_face(place.unknown, !is_upper), place.unknown))
+      result.push_back({i, place.unknown});
+    if (!m_exchange.empty())
+      for (const std::size_t i : meeting(exchanged(box), on_face(m_exchange[place.unknown], !is_upper), m_exchange[place.unknown]))
+        result.push_back({i, m_exchange[place.unknown]});
+    return result;
   }
+
+  // Where the inequality is zero, the pair is there in both orders, or both of its points are the same.
+  void identify_orders()
+  {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < m_set.vertices().size(); ++i)
+      if (m_set.vertices()[i].is_on_inequality)
+        all.push_back(i);
+    for (const std::size_t i : all) {
+      const std::vector<std::size_t> partners = meeting(exchanged(m_set.vertices()[i].box), all, m_domain.size());
+      if (partners.size() != 1)
+        m_unmatched.push_back(i);
+      else if (partners[0] == i)
+        m_equal_pairs.push_back(i);
+      else
+        m_point[root(partners[0])] = root(i);
+    }
+  }
+
+  Box exchanged(const Box& box) const
+  {
+    Box result;
+    for (const std::size_t unknown : m_exchange)
+      result.push_back(box[unknown]);
+    return result;
+  }
+
+  std::vector<std::size_t> on_face(std::size_t unknown, bool is_upper) const { return on_face(unknown, is_upper ? m_domain[unknown].second : m_domain[unknown].first); }
 
   std::vector<std::size_t> on_face(std::size_t unknown, const Exact_rational& value) const
   {
@@ -158,13 +199,12 @@ private:
     return result;
   }
 
-  // Those of some vertices whose boxes meet that of another one, apart from one unknown.
-  std::vector<std::size_t> meeting(std::size_t vertex, const std::vector<std::size_t>& others, std::size_t unknown) const
+  // Those of some vertices whose boxes meet another one, apart from one unknown.
+  std::vector<std::size_t> meeting(const Box& box, const std::vector<std::size_t>& others, std::size_t unknown) const
   {
-    const Curve_vertex::Exact_box& box = m_set.vertices()[vertex].box;
     std::vector<std::size_t> result;
     std::copy_if(others.begin(), others.end(), std::back_inserter(result), [&](std::size_t i) {
-      const Curve_vertex::Exact_box& other = m_set.vertices()[i].box;
+      const Box& other = m_set.vertices()[i].box;
       for (std::size_t j = 0; j < box.size(); ++j)
         if (j != unknown && (box[j].second < other[j].first || other[j].second < box[j].first))
           return false;

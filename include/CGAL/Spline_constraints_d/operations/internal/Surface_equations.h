@@ -29,6 +29,8 @@ The equations of the common points of two surfaces, in as few unknowns as there 
 - two parametric ones: A(u,v) = B(s,t); two height fields over the same coordinates: the difference of the heights, in the parameters of the first one;
 - two implicit ones, and one that ends at its box within a parametric one: the coordinates are unknowns, behind the parameters.
 
+Or those of the unordered pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs: both surfaces are this one.
+
 The parameters of a surface are affine functions of one unknown each.
 */
 class Surface_equations
@@ -37,7 +39,7 @@ class Surface_equations
 
   std::array<Surface_shape, 2> m_surfaces;
   std::array<std::array<Affine_function, 2>, 2> m_parameters;   // of parametric surfaces
-  bool m_has_coordinates = false;
+  bool m_has_coordinates = false, m_has_unordered_pairs = false;
   Parameter_box m_domain;
   std::optional<Constraint_system_d> m_system;   // none: no common points
 
@@ -57,6 +59,9 @@ public:
       make_system(heights);
   }
 
+  // The equations of a surface with itself: the parameters of both points come first, then, if the domain has it, a direction in which they lie, whose two ends are the same. None: it does not meet itself.
+  Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs) : m_surfaces{surface, surface}, m_has_unordered_pairs(true), m_system(std::move(pairs)) { number_unknowns(); }
+
   // Whether some boxes around the surfaces do not meet. There is no system then.
   bool has_system() const { return m_system.has_value(); }
   const Constraint_system_d& system() const { return *m_system; }
@@ -75,6 +80,19 @@ public:
       for (int axis = 0; axis < 2; ++axis)
         if (is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis))
           result.push_back(m_parameters[surface][axis].unknown);
+    for (const std::size_t direction : directions_of_pairs())
+      result.push_back(direction);
+    return result;
+  }
+
+  // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.
+  std::vector<std::size_t> exchange() const
+  {
+    std::vector<std::size_t> result;
+    if (m_has_unordered_pairs)
+      result = {2, 3, 0, 1};
+    for (const std::size_t direction : directions_of_pairs())
+      result.push_back(direction);
     return result;
   }
 
@@ -90,6 +108,14 @@ public:
   }
 
 private:
+  std::vector<std::size_t> directions_of_pairs() const
+  {
+    std::vector<std::size_t> result;
+    for (int i = 4; m_has_unordered_pairs && i < m_system->dimension(); ++i)
+      result.push_back(static_cast<std::size_t>(i));
+    return result;
+  }
+
   bool are_apart() const
   {
     const auto first = m_surfaces[0].bounds(), second = m_surfaces[1].bounds();

@@ -67,7 +67,7 @@ struct Surface_shape
       const auto [begin, end] = rounded[0].domain(axis);
       parameters[axis] = (std::min)((std::max)(parameters[axis], begin), end);
     }
-    const double weight = rounded[3](parameters);
+    const double weight = patch->is_rational() ? rounded[3](parameters) : 1;
     return {rounded[0](parameters) / weight, rounded[1](parameters) / weight, rounded[2](parameters) / weight};
   }
 };

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SELF_INTERSECTION_CURVES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SELF_INTERSECTION_CURVES_H
+
+#include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Equal_point_pairs.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_zeros.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
+
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+all curves in which a surface meets itself: the pairs of parameters \f$(u,v) \neq (s,t)\f$ with \f$S(u,v) = S(s,t)\f$, with a proof of their number and of how they are connected. No closed curve is lost, however small, and nothing is joined by distance.
+Both surfaces of the result are the given one. Each pair comes once, in one of its orders: a curve in space that two sheets pass is one curve of the result.
+
+With \f$(u-s,\,v-t) = h\,d\f$ and a direction \f$d\f$, \f$S(u,v) - S(s,t) = h\,(d_0 A + d_1 B)\f$ with polynomials \f$A\f$ and \f$B\f$, by exact division. So the diagonal \f$(u,v) = (s,t)\f$ satisfies what is left only where \f$S_u\f$ and \f$S_v\f$ are
+dependent. Where this is a single point inside of the surface, it is a *pinch point* as that of the Whitney umbrella, a certified end of a curve: one of the `Surface_intersection::singular_points()`, and \link Surface_intersection::end() the end\endlink is `TANGENT`.
+A surface is one-to-one, and nothing is solved, if bounds of its derivatives prove that all \f$S_u \times S_v\f$ lie in a half-space.
+
+The unknowns of `Surface_intersection::solutions()` are \f$u, v, s, t\f$ and a parameter in \f$[-1,1]\f$ of the direction. Curves end on the edges of the surface. Where three sheets meet in a point, three curves pass it, each of two sheets.
+
+Undecided are: points where two sheets touch; cuspidal edges, pieces that the surface covers twice, edges that are one point (poles), the common edge of a closed surface, and pinch points on an edge.
+
+\tparam Surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
+\param surface the surface, of one piece: without breaks inside.
+\param options those of `solve_curves()`.
+\throws Invalid_input when the surface has several pieces, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+
+Complexity: that of `solve_curves()` with four equations in five unknowns. Source: \cgalCite{egk-dto-09} divides the diagonal out for planar curves.
+*/
+template <internal::Surface_operand Surface>
+Surface_intersection<internal::Operand_kernel<Surface>> self_intersection_curves(const Surface& surface, const Solver_options& options = {.tolerance = 1e-8})
+{
+  options.check();
+  const internal::Spline_patch<3> patch = internal::Intersection_operand<Surface>::patch(surface);
+  if (patch.breaks(0).size() > 2 || patch.breaks(1).size() > 2)
+    throw Invalid_input("self_intersection_curves: the surface has several pieces");
+  const internal::Surface_shape shape(patch);
+  if (internal::is_one_to_one(patch))
+    return {internal::Surface_equations(shape, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
+  Constraint_system_d system = internal::Equal_point_pairs(patch).system();
+  Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
+  return {internal::Surface_equations(shape, std::move(system)), std::move(solutions)};
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SELF_INTERSECTION_CURVES_H
