@@ -33,10 +33,7 @@ inline Exact_function part_of(const Exact_function& f, int axis, const Parameter
 {
   if (range.first < range.second)
     return range == f.domain(axis) ? f : f.restricted(axis, range.first, range.second);
-  const auto [begin, end] = f.domain(axis);
-  if (range.first == begin)
-    return f.face(axis, 0);
-  return range.first == end ? f.face(axis, 1) : f.restricted(axis, begin, range.first).face(axis, 1);
+  return f.slice(axis, range.first);
 }
 
 template <int d>
@@ -116,10 +113,14 @@ public:
 
   std::array<Exact_rational, d> operator()(std::span<const Exact_rational> parameters) const
   {
-    const Exact_rational w = m_weight(parameters);
+    const Local_weights<Exact_rational> weights(m_numerators[0].axes(), parameters, 0, "Spline_patch: ");
+    const auto value = [&](const Exact_function& f) { return f.axes() == m_numerators[0].axes() ? weights.value(f.coefficients()) : f(parameters); };
     std::array<Exact_rational, d> result;
     for (int i = 0; i < d; ++i)
-      result[i] = Exact_rational(m_numerators[i](parameters) / w);
+      result[i] = value(m_numerators[i]);
+    if (const Exact_rational w = value(m_weight); w != 1)
+      for (Exact_rational& x : result)
+        x /= w;
     return result;
   }
 
@@ -181,6 +182,12 @@ public:
   // Bounds of the points.
   Vector_bounds<d> values() const
   {
+    Vector_bounds<d> result;
+    if (!m_is_rational) {
+      for (int i = 0; i < d; ++i)
+        result[i] = Rational_interval(m_numerators[i].bounds());
+      return result;
+    }
     return over_parts([](const Spline_patch& part) {
       const Rational_interval w(part.m_weight.bounds());
       Vector_bounds<d> result;
@@ -193,6 +200,12 @@ public:
   // Bounds of the derivative by a parameter, kinks included: (x' - (x/w) w') / w.
   Vector_bounds<d> tangents(int axis) const
   {
+    Vector_bounds<d> result;
+    if (!m_is_rational) {
+      for (int i = 0; i < d; ++i)
+        result[i] = Rational_interval(m_numerators[i].derivative_bounds(axis));
+      return result;
+    }
     return over_parts([axis](const Spline_patch& part) {
       const Rational_interval w(part.m_weight.bounds()), slope(part.m_weight.derivative_bounds(axis));
       Vector_bounds<d> result;
