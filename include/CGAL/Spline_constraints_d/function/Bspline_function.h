@@ -258,12 +258,12 @@ public:
   //! the restriction to the first (`side` 0) or last (`side` 1) parameter of an axis, of one dimension less.
   Bspline_function face(int axis, int side) const { return slice(axis, side == 0 ? at(axis).begin() : at(axis).end()); }
 
-  //! the restriction to a parameter of an axis, of one dimension less. \throws Invalid_input when it is not in the domain.
+  //! the restriction to a parameter of an axis, of one dimension less. \throws Invalid_input when it is not within the domain.
   Bspline_function slice(int axis, const NT& u) const
   {
     const Axis& own = at(axis);
     if (!(own.begin() <= u && u <= own.end()))
-      throw Invalid_input("Bspline_function: the parameter for a slice along axis " + std::to_string(axis) + " is not in the domain");
+      throw Invalid_input("Bspline_function: the parameter for a slice along axis " + std::to_string(axis) + " is not within the domain");
     std::vector<Axis> axes = m_axes;
     axes.erase(axes.begin() + axis);
     if (own.is_clamped() && (u == own.begin() || u == own.end())) {   // there, control points are values

@@ -72,6 +72,14 @@ public:
       numerator = -numerator;
   }
 
+  //! \pre the weight is positive; it is the constant one if the map is not rational
+  Spline_patch(Vector_of_functions<d> numerators, Exact_function weight, bool is_rational)
+    : m_numerators(std::move(numerators)), m_weight(std::move(weight)), m_is_rational(is_rational)
+  {}
+
+  // One coordinate alone.
+  Spline_patch<1> coordinate(int i) const { return {{m_numerators[i]}, m_weight, m_is_rational}; }
+
   // The same parameters and weight with other numerators.
   Spline_patch with_numerators(Vector_of_functions<d> numerators) const
   {
@@ -177,6 +185,18 @@ public:
   {
     const Exact_function w[] = {m_weight.face(axis, 0), m_weight.face(axis, 1)};
     return std::all_of(m_numerators.begin(), m_numerators.end(), [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
+  }
+
+  // Bounds of the points; of one point, such as a pole, exactly.
+  Vector_bounds<d> tight_values() const
+  {
+    if (!is_one_point())
+      return values();
+    Vector_bounds<d> result;
+    const std::array<Exact_rational, d> point = (*this)(first_corner());
+    for (int i = 0; i < d; ++i)
+      result[i] = Rational_interval(point[i]);
+    return result;
   }
 
   // Bounds of the points.
