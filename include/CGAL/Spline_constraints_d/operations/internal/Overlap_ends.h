@@ -47,7 +47,7 @@ public:
     return point.kind != Intersection_kind::OVERLAP && std::any_of(m_ends.begin(), m_ends.end(), [&](const End& end) {
       if (!has_extent(point.parameters))
         return is_same_point(point.parameters, end);
-      const bool counts_once = point.kind == Intersection_kind::TRANSVERSAL || point.kind == Intersection_kind::END_POINT;
+      const bool counts_once = point.solution && point.solution->is_certified();   // unlike the pole of a surface
       return holds(point.parameters, end) && (counts_once || is_only_parameter_of_point(point.parameters) || is_only_common_point(point.parameters, end));
     });
   }
