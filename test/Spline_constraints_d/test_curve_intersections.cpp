@@ -115,10 +115,34 @@ TEST(Curve_intersections, SharedEndsAndCorners)
   // The second half of `a` is the first half of `b`.
   const auto common = SC::intersections(a, b);
   EXPECT_TRUE(common.is_complete()) << common.summary();
-  ASSERT_EQ(common.count(Intersection_kind::OVERLAP), 1u);
-  const auto& overlap = *std::find_if(common.begin(), common.end(), [](const auto& x) { return x.kind() == Intersection_kind::OVERLAP; });
+  ASSERT_EQ(common.size(), 1u);
+  const auto& overlap = common[0];
+  EXPECT_EQ(overlap.kind(), Intersection_kind::OVERLAP);
   EXPECT_EQ(overlap.parameter_range(0), (std::pair<Exact_rational, Exact_rational>(1, 2)));
   EXPECT_EQ(overlap.parameter_range(1), (std::pair<Exact_rational, Exact_rational>(0, 1)));
+}
+
+// An end of an overlap is a common point of other pieces too, and of both sides of a seam: it belongs to the overlap. A crossing elsewhere does not.
+TEST(Curve_intersections, EndsOfOverlapsAreNoOtherAnswers)
+{
+  const auto is_only_overlap = [](const auto& intersections) { return intersections.is_complete() && intersections.size() == 1 && intersections[0].kind() == Intersection_kind::OVERLAP; };
+  EXPECT_TRUE(is_only_overlap(SC::intersections(SC::polyline_curve(Points{{0, 0}, {4, 0}, {4, 4}}), SC::polyline_curve(Points{{1, -1}, {1, 0}, {3, 0}, {3, 2}}))));
+  const auto circle = SC::circle_curve(Epeck::Point_2(0, 0), Epeck::FT(2));
+  EXPECT_TRUE(is_only_overlap(SC::intersections(circle, circle)));
+  EXPECT_TRUE(is_only_overlap(SC::intersections(circle, circle.restricted(Epeck::FT(7) / 2, Epeck::FT(4)))));
+
+  // A parabola, and a part of it with a second piece that crosses it later, or goes on in its direction and touches it in the end of the overlap.
+  const auto parabola = SC::bezier_curve(std::vector<Epeck::Point_2>{{0, 0}, {1, 2}, {2, 0}});
+  const auto part = parabola.restricted(Epeck::FT(1) / 4, Epeck::FT(3) / 4).control_points();
+  const auto with_tail = [&](const Epeck::Point_2& p, const Epeck::Point_2& q) { return SC::Bspline_curve_2<Epeck>(2, {0, 0, 0, 1, 1, 2, 2, 2}, {part[0], part[1], part[2], p, q}); };
+  const auto crossing = SC::intersections(parabola, with_tail(Epeck::Point_2(3, 3), Epeck::Point_2(0, -4)));
+  EXPECT_TRUE(crossing.is_complete()) << crossing.summary();
+  EXPECT_EQ(crossing.count(Intersection_kind::OVERLAP), 1u);
+  EXPECT_EQ(crossing.count(Intersection_kind::TRANSVERSAL), 1u);
+  EXPECT_EQ(crossing.size(), 2u);
+  const auto touching = SC::intersections(parabola, with_tail(part[2] + (part[2] - part[1]), Epeck::Point_2(0, 4)));
+  EXPECT_TRUE(touching.is_complete()) << touching.summary();
+  EXPECT_EQ(touching.count(Intersection_kind::OVERLAP), 1u);
 }
 
 // Pieces of one circle: where two of them meet on both curves, a common factor has a zero of its own that belongs to the overlap.

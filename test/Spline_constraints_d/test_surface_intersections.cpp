@@ -169,6 +169,31 @@ TEST(Surface_intersections, CylinderWithItsSeam)
   EXPECT_TRUE(edge[0].is_at_end(1, 1) && !edge[0].is_at_end(1, 0));
 }
 
+// Lines of a surface where one parameter is constant, forwards and backwards, with other parameters, and longer than the surface.
+TEST(Surface_intersections, IsoparametricCurves)
+{
+  const auto overlap_with = [](const auto& curve, const auto& surface) {
+    const auto intersections = SC::intersections(curve, surface);
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    EXPECT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections.count(Intersection_kind::OVERLAP), 1u);
+    return intersections[0];
+  };
+  const auto cylinder = SC::cylinder_surface<K>(Point(0, 0, 0), FT(1), FT(2));
+  const auto around = overlap_with(cylinder.iso_curve(1, ratio(1, 3)), cylinder);
+  EXPECT_EQ(around.parameter_range(1, 0), Range(0, 4));
+  EXPECT_EQ(around.parameter_range(1, 1), Range(ratio(1, 3), ratio(1, 3)));
+
+  const std::vector<Point> net{{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {1, 0, 1}, {1, 1, 3}, {1, 2, 1}, {2, 0, 0}, {2, 1, 1}, {2, 2, 2}};
+  const Surface surface({2, 2}, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, net);
+  const auto line = surface.iso_curve(0, ratio(1, 3));
+  const auto backwards = overlap_with(line.reversed(0).with_domain(0, FT(2), FT(5)).elevated({4}), surface);
+  EXPECT_EQ(backwards.parameter_range(0), Range(2, 5));
+  EXPECT_EQ(backwards.parameter_range(1, 1), Range(0, 1));
+  const auto longer = overlap_with(line, surface.restricted(1, ratio(1, 4), ratio(1, 2)));
+  EXPECT_EQ(longer.parameter_range(0), Range(ratio(1, 4), ratio(1, 2)));
+}
+
 TEST(Surface_intersections, RaysMeetATorusInOrder)
 {
   const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(3), FT(1));

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_BSPLINE_FUNCTION_H
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
+#include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
 #include <CGAL/Spline_constraints_d/function/internal/spline_cells.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
@@ -46,7 +47,7 @@ class Bspline_function
   using Breaks = std::vector<internal::Break<NT>>;
 
   std::vector<Axis> m_axes;
-  std::vector<NT> m_coefficients;
+  internal::Shared_vector<NT> m_coefficients;
 
   // Results of operations: nothing left to check.
   struct Unchecked {};
@@ -59,7 +60,7 @@ public:
   using Number_type = NT;
 
   //! the constant zero without axes.
-  Bspline_function() : m_coefficients(1, NT(0)) {}
+  Bspline_function() : m_coefficients(std::vector<NT>(1, NT(0))) {}
 
   /*!
   the spline with one degree and one knot vector per axis, and the control points in row-major order, last axis fastest.
@@ -77,7 +78,7 @@ public:
     }
     const std::size_t size = internal::checked_tensor_size<NT>(internal::extents(m_axes), "Bspline_function");
     internal::check_count(m_coefficients.size(), size, "Bspline_function: number of control points");
-    internal::check_finite(m_coefficients, "Bspline_function: control point");
+    internal::check_finite(*m_coefficients, "Bspline_function: control point");
   }
 
   /*!
@@ -94,6 +95,10 @@ public:
     }
     return Bspline_function(tensor.degrees(), std::move(knots), tensor.coefficients());
   }
+
+  // For the package: the knots of all axes, which copies share; and the spline of valid ones.
+  const std::vector<internal::Knot_axis<NT>>& axes() const { return m_axes; }
+  static Bspline_function on_axes(std::vector<internal::Knot_axis<NT>> axes, std::vector<NT> coefficients) { return Bspline_function(Unchecked(), std::move(axes), std::move(coefficients)); }
 
   //! number of axes.
   int dimension() const { return static_cast<int>(m_axes.size()); }
@@ -113,10 +118,10 @@ public:
   std::size_t size(int axis) const { return at(axis).size(); }
 
   //! the knots of an axis.
-  const std::vector<NT>& knots(int axis) const { return at(axis).knots; }
+  const std::vector<NT>& knots(int axis) const { return *at(axis).knots; }
 
   //! the control points, row-major, last axis fastest.
-  const std::vector<NT>& coefficients() const { return m_coefficients; }
+  const std::vector<NT>& coefficients() const { return *m_coefficients; }
 
   //! the range of the parameter of an axis.
   std::pair<NT, NT> domain(int axis) const { return {at(axis).begin(), at(axis).end()}; }
@@ -147,26 +152,23 @@ public:
   */
   NT operator()(std::span<const NT> u) const
   {
-    const auto [local, weights] = local_problem(u, 0);
-    return internal::contracted_value(local, weights);
+    return weights_at(u, 0).value(*m_coefficients);
   }
 
   //! value and first derivatives; at a knot with a kink the derivative to the right. \throws Invalid_input as the evaluation.
   Value_and_gradient<NT> value_and_gradient(std::span<const NT> u) const
   {
-    const auto [local, weights] = local_problem(u, 1);
-    return internal::contracted_gradient(local, weights);
+    return weights_at(u, 1).value_and_gradient(*m_coefficients);
   }
 
   //! the symmetric matrix of second derivatives, row by row, from the right at knots. \throws Invalid_input as the evaluation.
   std::vector<NT> hessian(std::span<const NT> u) const
   {
-    const auto [local, weights] = local_problem(u, 2);
-    return internal::contracted_hessian(local, weights);
+    return weights_at(u, 2).hessian(*m_coefficients);
   }
 
   //! least and largest control point: bounds of the function on its domain. Rounding of the control points is not accounted for.
-  std::pair<NT, NT> bounds() const { return internal::least_and_greatest(m_coefficients); }
+  std::pair<NT, NT> bounds() const { return internal::least_and_greatest(*m_coefficients); }
 
   //! bounds of the derivative along an axis on the domain, kinks included.
   std::pair<NT, NT> derivative_bounds(int axis) const
@@ -187,7 +189,7 @@ public:
     if (own.degree == 0)
       return Bspline_function(Unchecked(), m_axes, std::vector<NT>(m_coefficients.size(), NT(0)));
     std::vector<Axis> axes = m_axes;
-    axes[axis] = {own.degree - 1, {own.knots.begin() + 1, own.knots.end() - 1}};
+    axes[axis] = {own.degree - 1, std::vector<NT>(own.knots.begin() + 1, own.knots.end() - 1)};
     internal::check_knots(axes[axis], "Bspline_function: derivative along axis " + std::to_string(axis));
     return Bspline_function(Unchecked(), std::move(axes), transformed(axis, internal::derivative_matrix(own)));
   }
@@ -198,10 +200,12 @@ public:
   */
   Bspline_function with_knot(int axis, const NT& knot) const
   {
-    Axis refined = at(axis);
-    if (!(refined.begin() < knot && knot < refined.end()))
+    const Axis& own = at(axis);
+    if (!(own.begin() < knot && knot < own.end()))
       throw Invalid_input("Bspline_function: a knot to insert on axis " + std::to_string(axis) + " is not inside the domain");
-    refined.knots.insert(std::upper_bound(refined.knots.begin(), refined.knots.end(), knot), knot);
+    std::vector<NT> knots = *own.knots;
+    knots.insert(std::upper_bound(knots.begin(), knots.end(), knot), knot);
+    Axis refined{own.degree, std::move(knots)};
     internal::check_knots(refined, "Bspline_function: knot insertion on axis " + std::to_string(axis));
     return refined_to(axis, std::move(refined));
   }
@@ -252,15 +256,25 @@ public:
   }
 
   //! the restriction to the first (`side` 0) or last (`side` 1) parameter of an axis, of one dimension less.
-  Bspline_function face(int axis, int side) const
+  Bspline_function face(int axis, int side) const { return slice(axis, side == 0 ? at(axis).begin() : at(axis).end()); }
+
+  //! the restriction to a parameter of an axis, of one dimension less. \throws Invalid_input when it is not within the domain.
+  Bspline_function slice(int axis, const NT& u) const
   {
     const Axis& own = at(axis);
-    const NT& u = side == 0 ? own.begin() : own.end();
-    const std::size_t span = internal::span_of(own, u);
-    auto matrix = internal::Row_matrix<NT>::band(own.size(), static_cast<std::size_t>(own.degree) + 1);
-    matrix.add_row(span - own.degree, internal::derivative_weights(own, span, u, 0));
+    if (!(own.begin() <= u && u <= own.end()))
+      throw Invalid_input("Bspline_function: the parameter for a slice along axis " + std::to_string(axis) + " is not within the domain");
     std::vector<Axis> axes = m_axes;
     axes.erase(axes.begin() + axis);
+    if (own.is_clamped() && (u == own.begin() || u == own.end())) {   // there, control points are values
+      std::vector<int> first(m_axes.size(), 0), extents = internal::extents(m_axes), face = extents;
+      first[axis] = u == own.begin() ? 0 : extents[axis];
+      face[axis] = 0;
+      return Bspline_function(Unchecked(), std::move(axes), internal::tensor_block(*m_coefficients, extents, first, face));
+    }
+    const std::size_t span = internal::span_of(own, u);
+    internal::Band_matrix<NT> matrix = internal::band_matrix(own);
+    matrix.add_row(span - own.degree, internal::derivative_weights(own, span, u, 0));
     return Bspline_function(Unchecked(), std::move(axes), transformed(axis, matrix));
   }
 
@@ -271,10 +285,10 @@ public:
   */
   Bspline_function embedded(const std::vector<std::pair<NT, NT>>& domain, const std::vector<int>& axes) const
   {
-    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(internal::extents(m_axes), m_coefficients).embedded(static_cast<int>(domain.size()), axes);
+    Bernstein_tensor<NT> placed = Bernstein_tensor<NT>(internal::extents(m_axes), *m_coefficients).embedded(static_cast<int>(domain.size()), axes);
     std::vector<Axis> result;
     for (const auto& range : domain)
-      result.push_back({0, {range.first, range.second}});
+      result.push_back({0, std::vector<NT>{range.first, range.second}});
     for (std::size_t i = 0; i < axes.size(); ++i)
       result[axes[i]] = m_axes[i];
     for (std::size_t j = 0; j < result.size(); ++j)
@@ -354,9 +368,9 @@ private:
     return m_axes[axis];
   }
 
-  std::vector<NT> transformed(int axis, const internal::Row_matrix<NT>& matrix) const
+  std::vector<NT> transformed(int axis, const internal::Band_matrix<NT>& matrix) const
   {
-    return internal::transform_axis(m_coefficients, internal::axis_view(internal::extents(m_axes), axis), matrix);
+    return internal::transform_axis(*m_coefficients, internal::axis_view(internal::extents(m_axes), axis), matrix);
   }
 
   Bspline_function refined_to(int axis, Axis finer) const
@@ -370,28 +384,15 @@ private:
   template <class Change>
   Bspline_function& apply(const Change& change)
   {
-    std::for_each(m_coefficients.begin(), m_coefficients.end(), change);
+    std::vector<NT> changed = *m_coefficients;
+    std::for_each(changed.begin(), changed.end(), change);
+    m_coefficients = std::move(changed);
     return *this;
   }
 
-  // The control points that matter at a parameter, and their weights for all derivatives up to an order.
-  std::pair<std::vector<NT>, internal::Contraction_weights<NT>> local_problem(std::span<const NT> u, int order) const
-  {
-    internal::check_count(u.size(), m_axes.size(), "Bspline_function: parameters of a point");
-    internal::Contraction_weights<NT> weights(u.size());
-    std::vector<int> lower;
-    for (std::size_t j = 0; j < u.size(); ++j) {
-      if (!(m_axes[j].begin() <= u[j] && u[j] <= m_axes[j].end()))
-        throw Invalid_input("Bspline_function: parameter " + std::to_string(j) + " is outside of the domain");
-      const std::size_t span = internal::span_of(m_axes[j], u[j]);
-      lower.push_back(static_cast<int>(span) - m_axes[j].degree);
-      for (int r = 0; r <= order; ++r)
-        weights[j].push_back(internal::derivative_weights(m_axes[j], span, u[j], r));
-    }
-    return {internal::tensor_block(m_coefficients, internal::extents(m_axes), lower, degrees()), std::move(weights)};
-  }
+  internal::Local_weights<NT> weights_at(std::span<const NT> u, int order) const { return internal::Local_weights<NT>(m_axes, u, order, "Bspline_function: "); }
 
-  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const { return internal::pieces_on_cells(m_axes, m_coefficients, breaks); }
+  std::vector<Bernstein_tensor<NT>> pieces_on(const std::vector<Breaks>& breaks) const { return internal::pieces_on_cells(m_axes, *m_coefficients, breaks); }
 
   static Bspline_function assembled(const std::vector<int>& degrees, const std::vector<Breaks>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
   {
@@ -442,10 +443,10 @@ private:
     const std::vector<int> degrees = highest_degrees(a, b);
     if (!(a.m_axes == b.m_axes && a.is_clamped()))
       return combined(a, b, degrees, operation);
-    Bspline_function result(a);
-    for (std::size_t k = 0; k < result.m_coefficients.size(); ++k)
-      result.m_coefficients[k] = operation(a.m_coefficients[k], b.m_coefficients[k]);
-    return result;
+    std::vector<NT> coefficients;
+    for (std::size_t k = 0; k < a.m_coefficients.size(); ++k)
+      coefficients.push_back(NT(operation(a.m_coefficients[k], b.m_coefficients[k])));
+    return Bspline_function(Unchecked(), a.m_axes, std::move(coefficients));
   }
 
   template <class Operation>

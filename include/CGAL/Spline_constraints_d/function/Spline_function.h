@@ -203,35 +203,6 @@ inline void bernstein_to_power(std::vector<Short_integer>& coefficients, const s
   });
 }
 
-// Numbers over their common denominator, which is returned.
-inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers, std::vector<Short_integer>& numerators)
-{
-  Short_integer denominator(1);
-  for (const Exact_rational& number : numbers)
-    extend_common_denominator(denominator, number);
-  numerators.clear();
-  for (const Exact_rational& number : numbers)
-    numerators.push_back(numerator_over(number, denominator));
-  return denominator;
-}
-
-inline Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators)
-{
-  long finest = 0;
-  for (double number : numbers)
-    finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
-  numerators.clear();
-  numerators.reserve(numbers.size());
-  for (double number : numbers) {
-    auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
-    shift_left(mantissa, static_cast<unsigned long>(exponent - finest));
-    numerators.push_back(std::move(mantissa));
-  }
-  Short_integer denominator(1);
-  shift_left(denominator, static_cast<unsigned long>(-finest));
-  return denominator;
-}
-
 /*
 Powers of t = (x - begin) / (end - begin) to those of x, along one axis of a tensor of integers over a common denominator. With begin = b / u and end - begin = w / u
 that is t = (u x - b) / w: coefficient k is multiplied by w^(d-k), over w^d, then all are shifted by b, then multiplied by u^k.
@@ -259,6 +230,31 @@ inline void substitute_range(std::vector<Short_integer>& coefficients, Short_int
     for (int k = 1; k <= degree; ++k)
       a[step * k] *= powers_of_unit[k];
   });
+}
+
+// Coefficients of powers over a common denominator.
+struct Power_form
+{
+  std::vector<Short_integer> numerators;
+  Short_integer denominator;
+};
+
+// The powers of the parameters of a piece given on the local unit box. Where an axis has no breaks, they are those of the local parameter; else the cells are numbered in row-major order.
+template <class NT>
+Power_form power_form(const Bernstein_tensor<NT>& piece, const std::vector<std::vector<Exact_rational>>& breaks, std::size_t cell)
+{
+  Power_form result;
+  result.denominator = over_common_denominator(piece.coefficients(), result.numerators);
+  for (std::size_t j = breaks.size(); j-- > 0;) {
+    bernstein_to_power(result.numerators, piece.degrees(), j);
+    if (breaks[j].empty())
+      continue;
+    const std::size_t cells = breaks[j].size() - 1, k = cell % cells;
+    cell /= cells;
+    if (const Exact_rational &begin = breaks[j][k], &end = breaks[j][k + 1]; begin != 0 || end != 1)
+      substitute_range(result.numerators, result.denominator, piece.degrees(), j, begin, end);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -337,29 +333,17 @@ Spline_function Spline_function::from_pieces(std::vector<int> variables, std::ve
       term.degrees[j] = (std::max)(term.degrees[j], piece.degrees()[j]);
   }
   term.pieces.reserve(pieces.size());
-  std::vector<internal::Short_integer> power;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    const std::vector<NT>& bernstein = pieces[c].coefficients();
-    internal::Short_integer denominator;
+    internal::Power_form power;
     if (pieces[c].degrees() == term.degrees)
-      denominator = internal::over_common_denominator(bernstein, power);
-    else
-      denominator = internal::over_common_denominator(
-        Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees).coefficients(), power);
-    std::size_t rest = c;
-    for (std::size_t j = dimension; j-- > 0;) {
-      internal::bernstein_to_power(power, term.degrees, j);
-      if (term.breaks[j].empty())
-        continue;
-      const std::size_t cell = rest % term.cells(j);
-      rest /= term.cells(j);
-      const Exact_rational &begin = term.breaks[j][cell], &end = term.breaks[j][cell + 1];
-      if (begin != 0 || end != 1)
-        internal::substitute_range(power, denominator, term.degrees, j, begin, end);
+      power = internal::power_form(pieces[c], term.breaks, c);
+    else {
+      const std::vector<NT>& bernstein = pieces[c].coefficients();
+      power = internal::power_form(Bernstein_tensor<Exact_rational>(pieces[c].degrees(), {bernstein.begin(), bernstein.end()}).elevated(term.degrees), term.breaks, c);
     }
-    std::vector<Exact_rational>& piece = term.pieces.emplace_back(power.size());
-    for (std::size_t k = 0; k < power.size(); ++k)
-      internal::set_quotient(piece[k], power[k], denominator);
+    std::vector<Exact_rational>& piece = term.pieces.emplace_back(power.numerators.size());
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      internal::set_quotient(piece[k], power.numerators[k], power.denominator);
   }
   return Spline_function(std::move(term));
 }

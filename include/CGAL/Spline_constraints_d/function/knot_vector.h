@@ -5,11 +5,15 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_KNOT_VECTOR_H
 
 #include <CGAL/Spline_constraints_d/function/bernstein_conversion.h>
+#include <CGAL/Spline_constraints_d/function/internal/Integer_blossom.h>
+#include <CGAL/Spline_constraints_d/function/internal/Shared_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,7 +30,7 @@ template <class NT>
 struct Knot_axis
 {
   int degree;
-  std::vector<NT> knots;
+  Shared_vector<NT> knots;
 
   std::size_t size() const { return knots.size() - degree - 1; }
   const NT& begin() const { return knots[degree]; }
@@ -50,7 +54,7 @@ struct Break
 template <class NT>
 void check_knots(const Knot_axis<NT>& axis, const std::string& where)
 {
-  const std::vector<NT>& knots = axis.knots;
+  const std::vector<NT>& knots = *axis.knots;
   const std::size_t order = static_cast<std::size_t>(axis.degree) + 1;
   if (knots.size() < 2 * order)
     throw Invalid_input(where + ": " + std::to_string(knots.size()) + " knots, at least " + std::to_string(2 * order) + " are needed");
@@ -91,12 +95,12 @@ std::vector<Break<NT>> breaks_of(const Knot_axis<NT>& axis)
 template <class NT>
 Knot_axis<NT> clamped(int degree, const std::vector<Break<NT>>& breaks)
 {
-  Knot_axis<NT> result{degree, {}};
+  std::vector<NT> knots;
   for (std::size_t i = 0; i < breaks.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == breaks.size();
-    result.knots.insert(result.knots.end(), is_end ? degree + 1 : breaks[i].multiplicity, breaks[i].value);
+    knots.insert(knots.end(), is_end ? degree + 1 : breaks[i].multiplicity, breaks[i].value);
   }
-  return result;
+  return {degree, std::move(knots)};
 }
 
 // Breaks of a sum or product of the given degree: at each the smoothness of the less smooth operand.
@@ -127,14 +131,6 @@ std::size_t span_of(const Knot_axis<NT>& axis, const NT& u)
   const auto after = inside < axis.end() ? std::upper_bound(first, last, inside) : std::lower_bound(first, last, inside);
   return static_cast<std::size_t>(after - axis.knots.begin()) - 1;
 }
-
-// The argument of a blossom: a point has weight 1; weight 0 is a direction, which differentiates.
-template <class NT>
-struct Blossom_argument
-{
-  NT value;
-  NT weight = NT(1);
-};
 
 // Weights of the control points span - d, ..., span in the blossom of the polynomial on a non-empty span, with one argument more at a time: after d of them they are complete.
 template <class NT>
@@ -169,11 +165,28 @@ public:
   const std::vector<NT>& weights() const { return m_weights; }
 };
 
+// Exact numbers have kernels of their own, on integers.
+template <class NT>
+inline constexpr bool is_exact_rational = std::is_same_v<NT, Exact_rational>;
+
+template <class NT>
+using Blossom = std::conditional_t<is_exact_rational<NT>, Integer_blossom, Blossom_weights<NT>>;
+
+template <class NT>
+using Band_matrix = std::conditional_t<is_exact_rational<NT>, Integer_band, Row_matrix<NT>>;
+
+// To be filled row by row, with as many weights as the order of an axis.
+template <class NT>
+Band_matrix<NT> band_matrix(const Knot_axis<NT>& axis)
+{
+  return Band_matrix<NT>::band(axis.size(), static_cast<std::size_t>(axis.degree) + 1);
+}
+
 // The weights for all arguments at once, `argument(i)` for i < d.
 template <class NT, class Argument>
-std::vector<NT> blossom_weights(const Knot_axis<NT>& axis, std::size_t span, const Argument& argument)
+auto blossom_weights(const Knot_axis<NT>& axis, std::size_t span, const Argument& argument)
 {
-  Blossom_weights<NT> result(axis, span);
+  Blossom<NT> result(axis, span);
   for (int i = 0; i < axis.degree; ++i)
     result.add(argument(i));
   return result.weights();
@@ -181,31 +194,35 @@ std::vector<NT> blossom_weights(const Knot_axis<NT>& axis, std::size_t span, con
 
 // The derivative of some order at a parameter, as weights of the control points of a span.
 template <class NT>
-std::vector<NT> derivative_weights(const Knot_axis<NT>& axis, std::size_t span, const NT& u, int order)
+auto derivative_weights(const Knot_axis<NT>& axis, std::size_t span, const NT& u, int order)
 {
-  if (order > axis.degree)
-    return std::vector<NT>(static_cast<std::size_t>(axis.degree) + 1, NT(0));
-  std::vector<NT> weights = blossom_weights(axis, span, [&](int i) {
+  auto result = blossom_weights(axis, span, [&](int i) {
     return i < order ? Blossom_argument<NT>{NT(1), NT(0)} : Blossom_argument<NT>{u, NT(1)};
   });
+  const auto multiply = [&](auto& weights, int degree) {
+    for (auto& weight : weights)
+      weight *= std::decay_t<decltype(weight)>(degree);
+  };
   for (int r = 0; r < order; ++r)
-    for (NT& weight : weights)
-      weight *= NT(axis.degree - r);
-  return weights;
+    if constexpr (is_exact_rational<NT>)
+      multiply(result.numerators, (std::max)(axis.degree - r, 0));
+    else
+      multiply(result, (std::max)(axis.degree - r, 0));
+  return result;
 }
 
 // Bézier points of all cells of breaks that are at least as fine as the knots, cell after cell, from the control points.
 template <class NT>
-Row_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
+Band_matrix<NT> extraction_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
 {
-  auto result = Row_matrix<NT>::band(axis.size(), static_cast<std::size_t>(axis.degree) + 1);
+  Band_matrix<NT> result = band_matrix(axis);
   for (std::size_t c = 0; c + 1 < breaks.size(); ++c) {
     const std::size_t span = span_of(axis, breaks[c].value);
-    std::vector<Blossom_weights<NT>> at_begin(1, Blossom_weights<NT>(axis, span));   // with as many arguments as their index says
+    std::vector<Blossom<NT>> at_begin(1, Blossom<NT>(axis, span));   // with as many arguments as their index says
     for (int i = 0; i < axis.degree; ++i)
       at_begin.emplace_back(at_begin.back()).add({breaks[c].value});
     for (int k = 0; k <= axis.degree; ++k) {
-      Blossom_weights<NT>& row = at_begin[axis.degree - k];
+      Blossom<NT>& row = at_begin[axis.degree - k];
       for (int i = 0; i < k; ++i)
         row.add({breaks[c + 1].value});
       result.add_row(span - axis.degree, row.weights());
@@ -229,9 +246,9 @@ std::size_t central_span(const Knot_axis<NT>& axis, std::size_t j)
 
 // Control points on finer knots, or on a part of the domain, from those on `from`.
 template <class NT>
-Row_matrix<NT> refinement_matrix(const Knot_axis<NT>& from, const Knot_axis<NT>& to)
+Band_matrix<NT> refinement_matrix(const Knot_axis<NT>& from, const Knot_axis<NT>& to)
 {
-  auto result = Row_matrix<NT>::band(from.size(), static_cast<std::size_t>(from.degree) + 1);
+  Band_matrix<NT> result = band_matrix(from);
   for (std::size_t j = 0; j < to.size(); ++j) {
     const std::size_t span = span_of(from, to.knots[central_span(to, j)]);
     result.add_row(span - from.degree, blossom_weights(from, span, [&](int i) { return Blossom_argument<NT>{to.knots[j + 1 + i], NT(1)}; }));
@@ -241,10 +258,10 @@ Row_matrix<NT> refinement_matrix(const Knot_axis<NT>& from, const Knot_axis<NT>&
 
 // Control points on clamped knots from the Bézier points of the cells between the breaks: the inverse of extraction.
 template <class NT>
-Row_matrix<NT> assembly_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
+Band_matrix<NT> assembly_matrix(const Knot_axis<NT>& axis, const std::vector<Break<NT>>& breaks)
 {
   const std::size_t order = static_cast<std::size_t>(axis.degree) + 1;
-  auto result = Row_matrix<NT>::band(order * (breaks.size() - 1), order);
+  auto result = Band_matrix<NT>::band(order * (breaks.size() - 1), order);
   for (std::size_t j = 0; j < axis.size(); ++j) {
     const NT& begin = axis.knots[central_span(axis, j)];
     const auto position = std::lower_bound(breaks.begin(), breaks.end(), begin, [](const Break<NT>& x, const NT& value) { return x.value < value; });
@@ -265,13 +282,13 @@ Row_matrix<NT> assembly_matrix(const Knot_axis<NT>& axis, const std::vector<Brea
 
 // Control points of the derivative: differences over the knots they span. Points without influence on the domain get 0.
 template <class NT>
-Row_matrix<NT> derivative_matrix(const Knot_axis<NT>& axis)
+Band_matrix<NT> derivative_matrix(const Knot_axis<NT>& axis)
 {
-  auto result = Row_matrix<NT>::band(axis.size(), 2);
+  auto result = Band_matrix<NT>::band(axis.size(), 2);
   for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
     const NT length = axis.knots[i + axis.degree + 1] - axis.knots[i + 1];
     const NT slope = length == NT(0) ? NT(0) : NT(NT(axis.degree) / length);
-    result.add_row(i, {NT(-slope), slope});
+    result.add_row(i, std::vector<NT>{NT(-slope), slope});
   }
   return result;
 }

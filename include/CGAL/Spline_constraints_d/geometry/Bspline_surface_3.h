@@ -173,7 +173,7 @@ public:
   //! the curve on which the parameter of an axis has one value; its parameter is the other one.
   Bspline_curve_3<Kernel> iso_curve(int axis, const FT& t) const
   {
-    return Bspline_curve_3<Kernel>(this->representation().mapped([&](const auto& f) { return internal::at_parameter(f, axis, Base::number(t)); }));
+    return Bspline_curve_3<Kernel>(this->representation().mapped([&](const auto& f) { return f.slice(axis, Base::number(t)); }));
   }
 
   /// @}

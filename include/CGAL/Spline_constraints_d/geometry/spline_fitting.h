@@ -97,7 +97,7 @@ private:
       std::copy(p.begin(), p.end(), coordinates.begin());
       points.push_back(internal::kernel_object<Kernel, typename Curve::Point>(coordinates));
     }
-    const std::vector<double> knots = is_closed ? breaks : internal::cubic_axis(breaks, false).knots;
+    const std::vector<double> knots = is_closed ? breaks : *internal::cubic_axis(breaks, false).knots;
     const std::vector<FT> numbers(knots.begin(), knots.end());
     return is_closed ? Curve::from_periodic(3, numbers, points) : Curve(3, numbers, points);
   }

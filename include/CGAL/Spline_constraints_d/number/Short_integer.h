@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -336,6 +337,35 @@ inline Short_integer numerator_over(const Exact_rational& value, const Short_int
   if (common != denominator)
     numerator *= common / denominator;
   return numerator;
+}
+
+// Numbers over their common denominator, which is returned.
+inline Short_integer over_common_denominator(const std::vector<Exact_rational>& numbers, std::vector<Short_integer>& numerators)
+{
+  Short_integer denominator(1);
+  for (const Exact_rational& number : numbers)
+    extend_common_denominator(denominator, number);
+  numerators.clear();
+  for (const Exact_rational& number : numbers)
+    numerators.push_back(numerator_over(number, denominator));
+  return denominator;
+}
+
+inline Short_integer over_common_denominator(const std::vector<double>& numbers, std::vector<Short_integer>& numerators)
+{
+  long finest = 0;
+  for (double number : numbers)
+    finest = (std::min)(finest, to_dyadic<Short_integer>(number).second);
+  numerators.clear();
+  numerators.reserve(numbers.size());
+  for (double number : numbers) {
+    auto [mantissa, exponent] = to_dyadic<Short_integer>(number);
+    shift_left(mantissa, static_cast<unsigned long>(exponent - finest));
+    numerators.push_back(std::move(mantissa));
+  }
+  Short_integer denominator(1);
+  shift_left(denominator, static_cast<unsigned long>(-finest));
+  return denominator;
 }
 
 // target = numerator / denominator, exactly. \pre denominator > 0

@@ -82,10 +82,12 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Intersection(internal::Common_point common, const internal::Patch_pair<d>& operands)
-    : m_common(std::move(common)), m_split(operands.first_parameter(1)),
-      m_point(internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(internal::Parameter_box(m_common.parameters.begin(), m_common.parameters.begin() + static_cast<std::ptrdiff_t>(m_split))))))
-  {}
+  Intersection(internal::Common_point common, const internal::Patch_pair<d>& operands) : m_common(std::move(common)), m_split(operands.first_parameter(1))
+  {
+    internal::Parameter_box ranges = internal::clipped(internal::with_short_ends(m_common.parameters), operands.domain());
+    ranges.resize(m_split);
+    m_point = internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(ranges)));
+  }
 #endif
 
   //! what is proved.
@@ -97,7 +99,7 @@ public:
   //! the middle of the range, rounded to double.
   double parameter(std::size_t operand, std::size_t axis = 0) const { return to_nearest_double(internal::middle_of(parameter_range(operand, axis))); }
 
-  //! the point of the first operand in the middle of its ranges. Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
+  //! the point of the first operand in the middle of its ranges; where these are narrower than 256 binary digits tell, next to it. Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
   const Point& point() const { return m_point; }
 
   //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or pole of a surface, or a seam.

@@ -8,8 +8,9 @@
 #include <CGAL/Spline_constraints_d/function/Vector_expression.h>
 #include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 
 #include <array>
 #include <cstddef>
@@ -72,30 +73,46 @@ inline std::vector<Constraint> reflection(const Vector_expression<2>& point, con
   return {square(dot(in, normal)) * squared_norm(out) == square(dot(out, normal)) * squared_norm(in), dot(in, normal) * dot(out, normal) > 0};
 }
 
-// The reflection at each curve; parameters of closed curves without the upper end, so that the seam counts once.
-inline std::vector<Constraint> ray_trap_constraints(const std::vector<Spline_map<1, 2>>& curves)
+// A part of a curve that has tangents, without those of its ends that are corners, or that count as the begin of the next part.
+struct Mirror
 {
-  const std::size_t n = curves.size();
-  std::vector<std::array<Bound, 2>> ranges;
-  for (const auto& curve : curves)
-    ranges.push_back({Bound(curve.domain(0).first), Bound(curve.domain(0).second)});
-  const std::vector<Unknown> u = unknowns(ranges);
+  Differentiated_map curve;
+  bool has_begin, has_end;
+};
 
-  std::vector<Vector_expression<2>> points, tangents;
+inline std::vector<Mirror> mirrors(const Planar_map& curve)
+{
+  const std::vector<Smooth_part> parts = smooth_parts(curve);
+  const bool is_closed = curve.is_closed();
+  std::vector<Mirror> result;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool is_begin = i == 0 && !is_closed, is_end = i + 1 == parts.size() && !is_closed;
+    const Smooth_part& previous = i == 0 ? parts.back() : parts[i - 1];
+    result.push_back({parts[i].curve, is_begin || !previous.has_end, is_end});
+  }
+  return result;
+}
+
+// The reflection at one mirror of each curve.
+inline std::vector<Constraint> ray_trap_constraints(const std::vector<const Mirror*>& mirrors)
+{
+  const std::size_t n = mirrors.size();
+  std::vector<std::array<Bound, 2>> ranges;
+  for (const Mirror* mirror : mirrors)
+    ranges.push_back({Bound(mirror->curve.begin()), Bound(mirror->curve.end())});
+  const std::vector<Unknown> u = unknowns(ranges);
+  std::vector<Vector_expression<2>> points;
   for (std::size_t i = 0; i < n; ++i)
-    try {
-      points.push_back(curves[i](u[i]));
-      tangents.push_back(derivative(curves[i])(u[i]));
-    } catch (const Invalid_input& error) {
-      throw Invalid_input("ray_traps: curve " + std::to_string(i) + ": " + error.what());
-    }
+    points.push_back(mirrors[i]->curve(0, u[i]));
 
   std::vector<Constraint> result;
   for (std::size_t i = 0; i < n; ++i) {
-    for (Constraint& constraint : reflection(points[i], tangents[i], points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
+    for (Constraint& constraint : reflection(points[i], mirrors[i]->curve(1, u[i]), points[(i + n - 1) % n], points[(i + 1) % n], n == 2))
       result.push_back(std::move(constraint));
-    if (curves[i].is_closed())
-      result.push_back(u[i] < curves[i].domain(0).second);
+    if (!mirrors[i]->has_begin)
+      result.push_back(u[i] > mirrors[i]->curve.begin());
+    if (!mirrors[i]->has_end)
+      result.push_back(u[i] < mirrors[i]->curve.end());
   }
   return result;
 }
@@ -122,8 +139,15 @@ These are \f$n\f$ equations in \f$n\f$ unknowns. Since the law of reflection is 
 Rays that graze a curve are no traps. Traps of two curves are their common normals.
 A trap at the seam of a closed curve is reported with the first parameter of the seam.
 
+At a corner there is no law of reflection, so what passes through one is no trap: curves are taken apart there, into parts without that point. A path that would be reflected there according to one of the tangents is excluded by proof, or is
+`UNDECIDED`. The ends of a curve that is not closed belong to it.
+
 \tparam Curve a model of `ParametricCurve_2`.
-\throws Invalid_input for fewer than two curves; when the derivative of a curve is not continuous (the message says which curve and where: split it there); when an option makes no sense.
+\param curves the curves, in the order in which they reflect.
+\param options those of the solver; limits hold for the operation as a whole.
+\throws Invalid_input for fewer than two curves; when an option makes no sense.
+
+Complexity: that of a system of \f$n\f$ equations for each choice of one smooth part of each curve.
 
 Source: \cgalCite{ek-gcs-01}, section 3.1.
 */
@@ -133,10 +157,22 @@ Ray_traps_2<typename Curve::Kernel> ray_traps(const std::vector<Curve>& curves, 
   if (curves.size() < 2)
     throw Invalid_input("ray_traps: " + std::to_string(curves.size()) + " curves, at least 2 are needed");
   const std::vector<Spline_map<1, 2>> maps(curves.begin(), curves.end());
-  const Solution_set_d<double> solutions = Subdivision_solver_d<Certified_solver_traits>(options)(make_system(internal::ray_trap_constraints(maps)));
-  Ray_traps_2<typename Curve::Kernel> result{{}, solutions.summary()};
-  for (const Solution_d<double>& solution : solutions)
-    result.traps.push_back(internal::ray_trap<typename Curve::Kernel>(maps, solution));
+  std::vector<std::vector<internal::Mirror>> mirrors;
+  std::vector<int> last;
+  for (const Spline_map<1, 2>& map : maps) {
+    mirrors.push_back(internal::mirrors(map));
+    last.push_back(static_cast<int>(mirrors.back().size()) - 1);
+  }
+  internal::Summing_solver solve(options);
+  Ray_traps_2<typename Curve::Kernel> result;
+  internal::for_each_index(last, [&](const std::vector<int>& choice) {
+    std::vector<const internal::Mirror*> chosen;
+    for (std::size_t i = 0; i < choice.size(); ++i)
+      chosen.push_back(&mirrors[i][choice[i]]);
+    for (const Solution_d<double>& solution : solve(internal::ray_trap_constraints(chosen)))
+      result.traps.push_back(internal::ray_trap<typename Curve::Kernel>(maps, solution));
+  });
+  result.summary = solve.total();
   return result;
 }
 

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -176,20 +175,22 @@ public:
 
   explicit Integer_spline(const Bspline_function<Exact_rational>& function)
   {
-    std::vector<int> variables(function.dimension());
-    std::iota(variables.begin(), variables.end(), 0);
+    m_pieces.degrees = function.degrees();
     for (int j = 0; j < function.dimension(); ++j)
       m_pieces.breaks.push_back(function.breaks(j));
-    const Spline_function power_form = Spline_function::from_bezier_pieces(variables, m_pieces.breaks, function.bezier_pieces());
-    const Spline_term& term = power_form.terms().front();
-    m_pieces.degrees = term.degrees;
-    for (const auto& piece : term.pieces)
-      for (const Exact_rational& coefficient : piece)
-        extend_common_denominator(m_denominator, coefficient);
-    for (const auto& piece : term.pieces) {
+    std::vector<Power_form> forms;
+    Short_integer common(1);
+    for (const Bernstein_tensor<Exact_rational>& piece : function.bezier_pieces()) {
+      forms.push_back(power_form(piece, m_pieces.breaks, forms.size()));
+      reduce(forms.back());
+      common *= forms.back().denominator / gcd(common, forms.back().denominator);
+    }
+    m_denominator = common.to_big_integer();
+    for (const Power_form& form : forms) {
+      const Short_integer factor = common / form.denominator;
       auto& integers = m_pieces.pieces.emplace_back();
-      for (const Exact_rational& coefficient : piece)
-        integers.push_back(numerator_over(coefficient, m_denominator));
+      for (const Short_integer& coefficient : form.numerators)
+        integers.push_back((coefficient * factor).to_big_integer());
     }
     m_pieces.simplify();
   }
@@ -363,6 +364,19 @@ private:
     for (int j = 0; j < a.dimension(); ++j)
       result.push_back(united(a.breaks()[j], b.breaks()[j]));
     return result;
+  }
+
+  // To lowest terms.
+  static void reduce(Power_form& form)
+  {
+    Short_integer common = form.denominator;
+    for (auto coefficient = form.numerators.begin(); common != 1 && coefficient != form.numerators.end(); ++coefficient)
+      common = gcd(common, *coefficient);
+    if (common == 1)
+      return;
+    form.denominator /= common;
+    for (Short_integer& coefficient : form.numerators)
+      coefficient /= common;
   }
 
   std::vector<Exact_rational> rational(std::size_t piece) const

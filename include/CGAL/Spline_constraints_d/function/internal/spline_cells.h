@@ -44,20 +44,30 @@ std::vector<int> last_cells(const Break_grid<NT>& breaks)
   return result;
 }
 
-template <class NT>
-std::vector<int> stacked_extents(const std::vector<int>& degrees, const Break_grid<NT>& breaks)
+// Where the entries of the cells of an axis are: one cell begins `stride` after the one before.
+struct Cell_layout
 {
-  std::vector<int> result;
-  for (std::size_t j = 0; j < degrees.size(); ++j)
-    result.push_back((degrees[j] + 1) * (static_cast<int>(breaks[j].size()) - 1) - 1);
-  return result;
-}
+  std::vector<int> extents, strides;
 
-inline std::vector<int> first_of_cell(std::vector<int> cell, const std::vector<int>& degrees)
+  void add_axis(int degree, std::size_t cells, bool share_ends)
+  {
+    strides.push_back(share_ends ? degree : degree + 1);
+    extents.push_back(strides.back() * static_cast<int>(cells) - (share_ends ? 0 : 1));
+  }
+
+  std::vector<int> first_of_cell(std::vector<int> cell) const
+  {
+    for (std::size_t j = 0; j < cell.size(); ++j)
+      cell[j] *= strides[j];
+    return cell;
+  }
+};
+
+// Whether the control points are the Bézier points of the cells, which share those at the breaks: all knots occur as often as they can.
+template <class NT>
+bool has_bezier_points(const Knot_axis<NT>& axis, std::size_t cells)
 {
-  for (std::size_t j = 0; j < cell.size(); ++j)
-    cell[j] *= degrees[j] + 1;
-  return cell;
+  return axis.is_clamped() && axis.size() == static_cast<std::size_t>(axis.degree) * cells + 1;
 }
 
 // The polynomials on the cells, each on the unit box, in row-major order of the cells, last axis fastest. The grid is as fine as the knots at least.
@@ -65,17 +75,19 @@ template <class NT>
 std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT>>& axes, std::vector<NT> data, const Break_grid<NT>& breaks)
 {
   std::vector<int> degrees, extent = extents(axes);
-  for (const Knot_axis<NT>& axis : axes)
-    degrees.push_back(axis.degree);
-  const std::vector<int> stacked = stacked_extents(degrees, breaks);
+  Cell_layout layout;
   for (std::size_t j = 0; j < axes.size(); ++j) {
-    if (breaks[j].size() > 2 || !axes[j].is_clamped())   // else they are the Bézier points already
+    const std::size_t cells = breaks[j].size() - 1;
+    const bool has_points = has_bezier_points(axes[j], cells);
+    degrees.push_back(axes[j].degree);
+    layout.add_axis(axes[j].degree, cells, has_points);
+    if (!has_points)
       data = transform_axis(data, axis_view(extent, j), extraction_matrix(axes[j], breaks[j]));
-    extent[j] = stacked[j];
+    extent[j] = layout.extents[j];
   }
   std::vector<Bernstein_tensor<NT>> pieces;
   for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
-    pieces.emplace_back(degrees, tensor_block(data, stacked, first_of_cell(cell, degrees), degrees));
+    pieces.emplace_back(degrees, tensor_block(data, extent, layout.first_of_cell(cell), degrees));
   });
   return pieces;
 }
@@ -84,16 +96,20 @@ std::vector<Bernstein_tensor<NT>> pieces_on_cells(const std::vector<Knot_axis<NT
 template <class NT>
 std::pair<std::vector<Knot_axis<NT>>, std::vector<NT>> assembled_cells(const std::vector<int>& degrees, const Break_grid<NT>& breaks, const std::vector<Bernstein_tensor<NT>>& pieces)
 {
-  std::vector<int> extent = stacked_extents(degrees, breaks);
+  std::vector<Knot_axis<NT>> axes;
+  Cell_layout layout;
+  for (std::size_t j = 0; j < degrees.size(); ++j) {
+    axes.push_back(clamped(degrees[j], breaks[j]));
+    layout.add_axis(degrees[j], breaks[j].size() - 1, has_bezier_points(axes[j], breaks[j].size() - 1));
+  }
+  std::vector<int> extent = layout.extents;
   std::vector<NT> data(checked_tensor_size<NT>(extent, "Bspline_function"), NT(0));
   auto piece = pieces.begin();
   for_each_index(last_cells(breaks), [&](const std::vector<int>& cell) {
-    place_tensor_block(data, extent, first_of_cell(cell, degrees), (piece++)->coefficients(), degrees);
+    place_tensor_block(data, extent, layout.first_of_cell(cell), (piece++)->coefficients(), degrees);
   });
-  std::vector<Knot_axis<NT>> axes;
   for (std::size_t j = 0; j < degrees.size(); ++j) {
-    axes.push_back(clamped(degrees[j], breaks[j]));
-    if (breaks[j].size() > 2)
+    if (layout.strides[j] > degrees[j])
       data = transform_axis(data, axis_view(extent, j), assembly_matrix(axes[j], breaks[j]));
     extent[j] = static_cast<int>(axes[j].size()) - 1;
   }

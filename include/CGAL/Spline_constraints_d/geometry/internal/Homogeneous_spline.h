@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_HOMOGENEOUS_SPLINE_H
 
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
+#include <CGAL/Spline_constraints_d/function/internal/Local_weights.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/spline_axes.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
@@ -291,27 +292,10 @@ private:
   {
     if (order < 0)
       throw Invalid_input("the order of a derivative is negative");
-    check_count(u.size(), static_cast<std::size_t>(dimension()), "parameters of a point");
-    Contraction_weights<NT> weights(u.size());
-    std::vector<int> lower;
-    for (std::size_t j = 0; j < u.size(); ++j) {
-      const Knot_axis<NT> axis{m_functions[0].degree(static_cast<int>(j)), m_functions[0].knots(static_cast<int>(j))};
-      if (!(axis.begin() <= u[j] && u[j] <= axis.end()))
-        throw Invalid_input("parameter " + std::to_string(j) + " is outside of the domain");
-      const std::size_t span = span_of(axis, u[j]);
-      lower.push_back(static_cast<int>(span) - axis.degree);
-      for (int r = 0; r <= order; ++r)
-        weights[j].push_back(derivative_weights(axis, span, u[j], r));
-    }
+    const Local_weights<NT> weights(m_functions[0].axes(), u, order, "");
     std::map<std::vector<int>, std::vector<NT>> result;
-    const std::vector<int> extents = control_extents(m_functions[0]), degrees = m_functions[0].degrees();
-    for (const Function& f : m_functions) {
-      const std::vector<NT> local = tensor_block(f.coefficients(), extents, lower, degrees);
-      std::vector<int> orders;
-      contract(local.data(), local.size(), weights, order, orders, [&](const std::vector<int>& derivative, const NT& value) {
-        result[derivative].push_back(value);
-      });
-    }
+    for (const Function& f : m_functions)
+      weights.derivatives(f.coefficients(), order, [&](const std::vector<int>& derivative, const NT& value) { result[derivative].push_back(value); });
     return result;
   }
 

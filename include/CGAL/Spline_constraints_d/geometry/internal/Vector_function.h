@@ -57,7 +57,7 @@ public:
   friend Scalar_function operator+(const Scalar_function& a, const Scalar_function& b)
   {
     const Exact_function &f = a.m_function, &g = b.m_function;
-    if (f.degrees() != g.degrees() || all_knots(f) != all_knots(g))
+    if (f.axes() != g.axes())
       return f + g;
     std::vector<Exact_rational> sums;
     for (std::size_t k = 0; k < f.coefficients().size(); ++k)
@@ -70,13 +70,9 @@ public:
     const Exact_function &f = a.m_function, &g = b.m_function;
     if (a.domain() != b.domain() || !have_separate_parameters(f, g))
       return f * g;
-    std::vector<int> degrees;
-    std::vector<std::vector<Exact_rational>> knots;
-    for (int j = 0; j < f.dimension(); ++j) {
-      const Exact_function& varying = f.size(j) > 1 ? f : g;
-      degrees.push_back(varying.degree(j));
-      knots.push_back(varying.knots(j));
-    }
+    std::vector<Knot_axis<Exact_rational>> axes;
+    for (int j = 0; j < f.dimension(); ++j)
+      axes.push_back((f.size(j) > 1 ? f : g).axes()[j]);
     std::vector<Exact_rational> products;
     const std::vector<int> extents_f = control_extents(f), extents_g = control_extents(g);
     const std::vector<std::size_t> strides_f = tensor_strides(extents_f), strides_g = tensor_strides(extents_g);
@@ -89,7 +85,7 @@ public:
         (extents_f[j] > 0 ? at_f : at_g) += static_cast<std::size_t>(index[j]) * (extents_f[j] > 0 ? strides_f[j] : strides_g[j]);
       products.emplace_back(f.coefficients()[at_f] * g.coefficients()[at_g]);
     });
-    return Exact_function(degrees, std::move(knots), std::move(products));
+    return Exact_function::on_axes(std::move(axes), std::move(products));
   }
 
   friend Scalar_function operator*(const Scalar_function& a, const Exact_rational& factor) { return a.m_function * factor; }

@@ -45,7 +45,8 @@ std::vector<std::vector<NT>> all_knots(const Bspline_function<NT>& f)
 template <class NT>
 Bspline_function<NT> with_coefficients(const Bspline_function<NT>& f, std::vector<NT> coefficients)
 {
-  return Bspline_function<NT>(f.degrees(), all_knots(f), std::move(coefficients));
+  check_finite(coefficients, "Bspline_function: control point");
+  return Bspline_function<NT>::on_axes(f.axes(), std::move(coefficients));
 }
 
 template <class NT>
@@ -118,14 +119,6 @@ Bspline_function<NT> transposed(const Bspline_function<NT>& f)
   return Bspline_function<NT>({f.degree(1), f.degree(0)}, {f.knots(1), f.knots(0)}, std::move(coefficients));
 }
 
-// The function of the other parameters at one value of the parameter of an axis.
-template <class NT>
-Bspline_function<NT> at_parameter(const Bspline_function<NT>& f, int axis, const NT& t)
-{
-  const NT end = f.domain(axis).second;
-  return t == end ? f.face(axis, 1) : f.restricted(axis, t, end).face(axis, 0);
-}
-
 /*
 The function on one occurrence of a knot less, where it is one. Its control points are the blossoms at the knots that are left; whether they stand for the same
 function, refinement back to all knots tells.
@@ -133,8 +126,9 @@ function, refinement back to all knots tells.
 inline std::optional<Exact_function> without_knot(const Exact_function& f, int axis, const Exact_rational& t)
 {
   const Knot_axis<Exact_rational> fine{f.degree(axis), f.knots(axis)};
-  Knot_axis<Exact_rational> coarse = fine;
-  coarse.knots.erase(std::find(coarse.knots.begin(), coarse.knots.end(), t));
+  std::vector<Exact_rational> fewer = *fine.knots;
+  fewer.erase(std::find(fewer.begin(), fewer.end(), t));
+  const Knot_axis<Exact_rational> coarse{fine.degree, std::move(fewer)};
 
   std::vector<int> extents = control_extents(f);
   const std::vector<Exact_rational> candidate = transform_axis(f.coefficients(), axis_view(extents, axis), refinement_matrix(fine, coarse));
@@ -142,7 +136,7 @@ inline std::optional<Exact_function> without_knot(const Exact_function& f, int a
   if (transform_axis(candidate, axis_view(extents, axis), refinement_matrix(coarse, fine)) != f.coefficients())
     return std::nullopt;
   std::vector<std::vector<Exact_rational>> knots = all_knots(f);
-  knots[axis] = std::move(coarse.knots);
+  knots[axis] = *coarse.knots;
   return Exact_function(f.degrees(), std::move(knots), candidate);
 }
 
@@ -151,7 +145,7 @@ template <class NT>
 void bring_to_common_knots(std::vector<Bspline_function<NT>>& functions)
 {
   const auto have_equal_knots = [](const Bspline_function<NT>& f, const Bspline_function<NT>& g) {
-    return f.degrees() == g.degrees() && all_knots(f) == all_knots(g);
+    return f.axes() == g.axes();
   };
   if (std::all_of(functions.begin() + 1, functions.end(), [&](const auto& f) { return have_equal_knots(f, functions[0]); }))
     return;

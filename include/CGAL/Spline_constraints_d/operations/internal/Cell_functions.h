@@ -135,7 +135,7 @@ public:
       for (const Functions& functions : m_cells)
         pieces.push_back(functions[f].elevated(degrees).bezier_pieces().front());
       auto [axes, coefficients] = assembled_cells(degrees, grid, pieces);
-      result[f] = Exact_function(degrees, {axes[0].knots, axes[1].knots}, std::move(coefficients));
+      result[f] = Exact_function(degrees, {*axes[0].knots, *axes[1].knots}, std::move(coefficients));
     }
     return result;
   }

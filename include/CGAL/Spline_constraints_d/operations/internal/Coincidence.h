@@ -200,11 +200,12 @@ public:
   {
     if (!m_position)
       return clipped(box, m_pair.domain());
-    const Parameter_box other = clipped(box, unknown_ranges());
-    const Vector_bounds<d> coordinates = bounds_of(m_position->part(other));
+    const Parameter_box other = clipped(box, unknown_ranges()), near = clipped(with_short_ends(box), unknown_ranges());
     Parameter_box own;
-    for (int k = 0; k < m_pair[m_eliminated].number_of_parameters(); ++k)
-      own.emplace_back(coordinates[k].lower, coordinates[k].upper);
+    for (int k = 0; k < m_pair[m_eliminated].number_of_parameters(); ++k) {
+      const Rational_interval range = m_position->coordinate(k).part(near).tight_values()[0];
+      own.emplace_back(range.lower, range.upper);
+    }
     own.insert(m_eliminated == 0 ? own.end() : own.begin(), other.begin(), other.end());
     return clipped(own, m_pair.domain());
   }
@@ -219,17 +220,6 @@ public:
 
 private:
   std::size_t first_unknown() const { return m_position && m_eliminated == 0 ? m_pair.first_parameter(1) : 0; }
-
-  static Vector_bounds<d> bounds_of(const Spline_patch<d>& patch)
-  {
-    if (!patch.is_one_point())   // such as a pole
-      return patch.values();
-    Vector_bounds<d> result;
-    const std::array<Exact_rational, d> point = patch(patch.first_corner());
-    for (int i = 0; i < d; ++i)
-      result[i] = Rational_interval(point[i]);
-    return result;
-  }
 
   template <class Sequence>
   Sequence unknowns_of(const Sequence& all) const

@@ -71,6 +71,8 @@ public:
     for (const Site& a : m_sites[0])
       for (const Site& b : m_sites[1])
         find_critical_distances(a, b);
+    for (Found& found : m_found)
+      enclose(found);
     return sorted();
   }
 
@@ -80,8 +82,11 @@ public:
     for (const auto& [a, b] : pairs_of_sites())
       if (!is_too_far(squared_norm(a->bounds() - b->bounds())))
         find_critical_distances(*a, *b);
+    drop_those_too_far();
+    for (Found& found : m_found)
+      enclose(found);
     find_crossing();
-    std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); });
+    drop_those_too_far();
     std::erase_if(m_found, [&](Found& x) { return x.distance.kind != Solution_kind::CERTIFIED && is_too_far(refined(x)); });
     return sorted();
   }
@@ -93,6 +98,8 @@ public:
 
 private:
   bool is_too_far(const Rational_interval& squared_distance) const { return squared_distance.lower > m_upper; }
+
+  void drop_those_too_far() { std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); }); }
 
   // Those with few unknowns first: they make others too far.
   std::vector<std::pair<const Site*, const Site*>> pairs_of_sites() const
@@ -174,8 +181,9 @@ private:
     std::vector<Exact_rational> simplest;
     for (const auto& [lower, upper] : box)
       simplest.push_back(simplest_rational_between(lower, upper));
-    look_at(a, b, simplest);
-    if (solution.is_certified() && is_solution(constraints, simplest))
+    if (!solution.is_certified())
+      look_at(a, b, simplest);
+    else if (is_solution(constraints, simplest))
       for (std::size_t i = 0; i < box.size(); ++i)
         box[i] = {simplest[i], simplest[i]};
     std::vector<Box> boxes(1, box);
@@ -187,12 +195,22 @@ private:
     const std::vector<Exact_rational> sample = sample_of(solution, boxes.front());
     add(a, b, solution.kind(), box, sample, solution);
     m_found.back().boxes = boxes;
-    Rational_interval& range = m_found.back().distance.squared_distance;
-    range = is_connected_continuum(solution, constraints) ? Rational_interval(squared_distance_at(a, b, sample)) : range_on(a, b, boxes);
-    const bool is_zero = range.lower == 0 && range.upper > 0 && is_crossing(a, b, solution);
-    if (is_zero)
+    if (!is_connected_continuum(solution, constraints))
+      m_found.back().distance.squared_distance = hull_of(boxes, [&](const Box& part) { return rough_range(a, b, part); });
+  }
+
+  // Brings bounds of a distance that may matter close together.
+  void enclose(Found& found)
+  {
+    Rational_interval& range = found.distance.squared_distance;
+    if (range.lower == range.upper)
+      return;
+    range = hull_of(found.boxes, [&](const Box& part) { return range_on(*found.a, *found.b, part); });
+    const Solution& solution = *found.distance.solution;
+    if (range.lower == 0 && range.upper > 0 && is_crossing(*found.a, *found.b, solution)) {
       range = Rational_interval(Exact_rational(0));
-    if (is_zero || solution.kind() != Solution_kind::UNDECIDED)
+      m_upper = Exact_rational(0);
+    } else if (solution.kind() != Solution_kind::UNDECIDED)
       m_upper = (std::min)(m_upper, range.upper);
   }
 
@@ -255,11 +273,27 @@ private:
     return squared_distance_bounds<d>(a.patch().part(Box(box.begin(), split)), b.patch().part(Box(split, box.end())));
   }
 
-  static Rational_interval range_on(const Site& a, const Site& b, const std::vector<Box>& boxes)
+  template <class Range_on>
+  static Rational_interval hull_of(const std::vector<Box>& boxes, const Range_on& range_on)
   {
-    Rational_interval result = range_on(a, b, boxes.front());
+    Rational_interval result = range_on(boxes.front());
     for (std::size_t i = 1; i < boxes.size(); ++i)
-      result = hull(result, range_on(a, b, boxes[i]));
+      result = hull(result, range_on(boxes[i]));
+    return result;
+  }
+
+  // The same from the bounds of the derivatives on the sites.
+  static Rational_interval rough_range(const Site& a, const Site& b, const Box& box)
+  {
+    const Vector_bounds<d> offset = a.bounds() - b.bounds();
+    Rational_interval result(squared_distance_at(a, b, middle_of(box)));
+    std::size_t axis = 0;
+    for (const Site* site : {&a, &b})
+      for (const Vector_bounds<d>& tangent : site->tangents()) {
+        const Exact_rational width(box[axis].second - box[axis].first);   // twice the distance from the middle, and the derivative is twice the inner product
+        result = result + dot(offset, tangent) * Rational_interval(Exact_rational(-width), width);
+        ++axis;
+      }
     return result;
   }
 

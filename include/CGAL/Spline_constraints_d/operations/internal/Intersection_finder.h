@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincidence.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 
 #include <CGAL/Uncertain.h>
@@ -57,6 +58,7 @@ public:
   {
     std::vector<Common_point> result = with_seams();
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
+    drop_ends_of_overlaps(m_pair, result);
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;
   }
@@ -271,21 +273,10 @@ private:
     return result;
   }
 
-  static bool has_zero(const Rational_interval& x) { return x.lower <= 0 && x.upper >= 0; }
-
-  static bool are_parallel(const Vector_bounds<d>& a, const Vector_bounds<d>& b)
-  {
-    for (int i = 0; i < d; ++i)
-      for (int k = 0; k < i; ++k)
-        if (!has_zero(a[i] * b[k] - a[k] * b[i]))
-          return false;
-    return true;
-  }
-
   // Whether no derivative of a surface by an axis is parallel to a direction, on the parts of the other axis that are small enough.
   static bool differs(const Spline_patch<d>& surface, int axis, const Vector_bounds<d>& direction, int depth = 6)
   {
-    if (!are_parallel(surface.tangents(axis), direction))
+    if (!may_be_parallel<d>(surface.tangents(axis), direction))
       return true;
     const auto halves = surface.halves(1 - axis);
     return depth > 0 && differs(halves[0], axis, direction, depth - 1) && differs(halves[1], axis, direction, depth - 1);

@@ -4,7 +4,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_PATCH_PAIR_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_PATCH_PAIR_H
 
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -117,6 +120,20 @@ inline Parameter_box clipped(Parameter_box box, const Parameter_box& domain)
     box[j].first = (std::max)(box[j].first, domain[j].first);
     box[j].second = (std::min)(box[j].second, domain[j].second);
   }
+  return box;
+}
+
+// A box that holds another one and has ends of about 256 digits: those around irrational roots may have thousands, which enclosures of points do not need.
+inline Parameter_box with_short_ends(Parameter_box box)
+{
+  constexpr int digits = 256;
+  const auto outwards = [](const Exact_rational& end, int direction) {
+    const Exact_rational rounded = round_to_dyadic(end, digits), error(CGAL::abs(Exact_rational(rounded - end)));
+    return error == 0 ? end : Exact_rational(rounded + direction * round_to_dyadic(Exact_rational(2 * error), 1));
+  };
+  for (Parameter_range& range : box)
+    if (range.first < range.second)
+      range = {outwards(range.first, -1), outwards(range.second, 1)};
   return box;
 }
 

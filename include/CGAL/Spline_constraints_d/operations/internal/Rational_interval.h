@@ -87,6 +87,19 @@ Interval squared_norm(const std::array<Interval, d>& a)
   return result;
 }
 
+inline bool has_zero(const Rational_interval& x) { return x.lower <= 0 && x.upper >= 0; }
+
+// Whether bounds do not tell that no two vectors within them are parallel.
+template <std::size_t d>
+bool may_be_parallel(const Vector_bounds<d>& a, const Vector_bounds<d>& b)
+{
+  for (std::size_t i = 0; i < d; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (!has_zero(a[i] * b[k] - a[k] * b[i]))
+        return false;
+  return true;
+}
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -33,10 +33,7 @@ inline Exact_function part_of(const Exact_function& f, int axis, const Parameter
 {
   if (range.first < range.second)
     return range == f.domain(axis) ? f : f.restricted(axis, range.first, range.second);
-  const auto [begin, end] = f.domain(axis);
-  if (range.first == begin)
-    return f.face(axis, 0);
-  return range.first == end ? f.face(axis, 1) : f.restricted(axis, begin, range.first).face(axis, 1);
+  return f.slice(axis, range.first);
 }
 
 template <int d>
@@ -74,6 +71,14 @@ public:
     for (Exact_function& numerator : m_numerators)
       numerator = -numerator;
   }
+
+  //! \pre the weight is positive; it is the constant one if the map is not rational
+  Spline_patch(Vector_of_functions<d> numerators, Exact_function weight, bool is_rational)
+    : m_numerators(std::move(numerators)), m_weight(std::move(weight)), m_is_rational(is_rational)
+  {}
+
+  // One coordinate alone.
+  Spline_patch<1> coordinate(int i) const { return {{m_numerators[i]}, m_weight, m_is_rational}; }
 
   // The same parameters and weight with other numerators.
   Spline_patch with_numerators(Vector_of_functions<d> numerators) const
@@ -116,10 +121,14 @@ public:
 
   std::array<Exact_rational, d> operator()(std::span<const Exact_rational> parameters) const
   {
-    const Exact_rational w = m_weight(parameters);
+    const Local_weights<Exact_rational> weights(m_numerators[0].axes(), parameters, 0, "Spline_patch: ");
+    const auto value = [&](const Exact_function& f) { return f.axes() == m_numerators[0].axes() ? weights.value(f.coefficients()) : f(parameters); };
     std::array<Exact_rational, d> result;
     for (int i = 0; i < d; ++i)
-      result[i] = Exact_rational(m_numerators[i](parameters) / w);
+      result[i] = value(m_numerators[i]);
+    if (const Exact_rational w = value(m_weight); w != 1)
+      for (Exact_rational& x : result)
+        x /= w;
     return result;
   }
 
@@ -178,9 +187,27 @@ public:
     return std::all_of(m_numerators.begin(), m_numerators.end(), [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
   }
 
+  // Bounds of the points; of one point, such as a pole, exactly.
+  Vector_bounds<d> tight_values() const
+  {
+    if (!is_one_point())
+      return values();
+    Vector_bounds<d> result;
+    const std::array<Exact_rational, d> point = (*this)(first_corner());
+    for (int i = 0; i < d; ++i)
+      result[i] = Rational_interval(point[i]);
+    return result;
+  }
+
   // Bounds of the points.
   Vector_bounds<d> values() const
   {
+    Vector_bounds<d> result;
+    if (!m_is_rational) {
+      for (int i = 0; i < d; ++i)
+        result[i] = Rational_interval(m_numerators[i].bounds());
+      return result;
+    }
     return over_parts([](const Spline_patch& part) {
       const Rational_interval w(part.m_weight.bounds());
       Vector_bounds<d> result;
@@ -193,6 +220,12 @@ public:
   // Bounds of the derivative by a parameter, kinks included: (x' - (x/w) w') / w.
   Vector_bounds<d> tangents(int axis) const
   {
+    Vector_bounds<d> result;
+    if (!m_is_rational) {
+      for (int i = 0; i < d; ++i)
+        result[i] = Rational_interval(m_numerators[i].derivative_bounds(axis));
+      return result;
+    }
     return over_parts([axis](const Spline_patch& part) {
       const Rational_interval w(part.m_weight.bounds()), slope(part.m_weight.derivative_bounds(axis));
       Vector_bounds<d> result;

@@ -145,7 +145,7 @@ std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Jo
 }
 
 /*
-A smooth piece of a point, curve or surface, an edge of one, or a corner: the points with parameters in a product of parts of the axes.
+A smooth piece of a point, curve or surface, an edge of one, or a corner: the points with parameters in a product of parts of the axes. What takes time is computed when it is asked for: many sites are too far away.
 */
 template <int d>
 class Spline_site
@@ -156,31 +156,30 @@ class Spline_site
     Relation relation;
   };
 
+  struct Formulas
+  {
+    Parametric_vector<d> point;
+    std::vector<Slope> slopes;
+  };
+
   std::vector<Axis_part> m_parts;
-  Spline_patch<d> m_patch;
+  Joint_rule m_rule;
+  Spline_patch<d> m_whole, m_patch;
   Vector_bounds<d> m_bounds;
-  Parametric_vector<d> m_point;
   std::vector<int> m_free_axes;
-  std::vector<Slope> m_slopes;
+  mutable std::optional<Formulas> m_formulas;
+  mutable std::vector<Vector_bounds<d>> m_tangents;
 
 public:
   Spline_site(const Spline_patch<d>& whole, std::vector<Axis_part> parts, const Joint_rule& rule)
-    : m_parts(std::move(parts)), m_patch(whole.part(ranges())), m_bounds(m_patch.values()), m_point(m_patch)
+    : m_parts(std::move(parts)), m_rule(rule), m_whole(whole), m_patch(whole.part(ranges())), m_bounds(m_patch.values())
   {
     if (m_patch.number_of_parameters() == 1 && m_patch.is_one_point())
-      m_point = Parametric_vector<d>(m_patch = m_patch.part({at_begin(m_patch.domain(0))}));
+      m_patch = m_patch.part({at_begin(m_patch.domain(0))});
     else
       for (std::size_t axis = 0; axis < m_parts.size(); ++axis)
-        if (const Axis_part& part = m_parts[axis]; part.range.first < part.range.second) {
-          m_slopes.push_back({m_point.tangent(static_cast<int>(m_free_axes.size())), Relation::EQUAL});
+        if (m_parts[axis].range.first < m_parts[axis].range.second)
           m_free_axes.push_back(static_cast<int>(axis));
-        }
-    for (std::size_t axis = 0; axis < m_parts.size(); ++axis) {
-      if (const auto& before = m_parts[axis].before)
-        add_slopes(whole, axis, *before, 1, rule.before == Relation::LESS_EQUAL && !m_parts[axis].after ? Relation::LESS : rule.before);
-      if (const auto& after = m_parts[axis].after)
-        add_slopes(whole, axis, *after, 0, rule.after);
-    }
   }
 
   // Of all parameters; those that are fixed at a joint have a range of one number.
@@ -198,16 +197,24 @@ public:
   // Bounds of the points.
   const Vector_bounds<d>& bounds() const { return m_bounds; }
 
+  // Bounds of the derivatives by the parameters that it depends on.
+  const std::vector<Vector_bounds<d>>& tangents() const
+  {
+    for (int axis = static_cast<int>(m_tangents.size()); axis < m_patch.number_of_parameters(); ++axis)
+      m_tangents.push_back(m_patch.tangents(axis));
+    return m_tangents;
+  }
+
   // The parameters that it depends on.
   const std::vector<int>& free_axes() const { return m_free_axes; }
 
-  Vector_expression<d> point(std::span<const Unknown> u) const { return m_point(u); }
+  Vector_expression<d> point(std::span<const Unknown> u) const { return formulas().point(u); }
 
   // What the rule asks of the point with these parameters and another one.
   void add_constraints(std::span<const Unknown> u, const Vector_expression<d>& other, std::vector<Constraint>& constraints) const
   {
-    const Vector_expression<d> offset = m_point(u) - other;
-    for (const Slope& slope : m_slopes)
+    const Vector_expression<d> offset = point(u) - other;
+    for (const Slope& slope : formulas().slopes)
       constraints.push_back(compared_with_zero(dot(offset, slope.tangent(u)), slope.relation));
     for (std::size_t i = 0; i < u.size(); ++i)
       if (const Axis_part& part = m_parts[m_free_axes[i]]; part.is_without_end)
@@ -217,19 +224,41 @@ public:
 private:
   static Parameter_range at_begin(const Parameter_range& range) { return {range.first, range.first}; }
 
+  const Formulas& formulas() const
+  {
+    if (!m_formulas)
+      m_formulas = Formulas{Parametric_vector<d>(m_patch), slopes()};
+    return *m_formulas;
+  }
+
+  std::vector<Slope> slopes() const
+  {
+    std::vector<Slope> result;
+    const Parametric_vector<d> point(m_patch);
+    for (std::size_t i = 0; i < m_free_axes.size(); ++i)
+      result.push_back({point.tangent(static_cast<int>(i)), Relation::EQUAL});
+    for (std::size_t axis = 0; axis < m_parts.size(); ++axis) {
+      if (const auto& before = m_parts[axis].before)
+        add_slopes(axis, *before, 1, m_rule.before == Relation::LESS_EQUAL && !m_parts[axis].after ? Relation::LESS : m_rule.before, result);
+      if (const auto& after = m_parts[axis].after)
+        add_slopes(axis, *after, 0, m_rule.after, result);
+    }
+    return result;
+  }
+
   // An edge that is one point, such as the pole of a sphere, is a corner with many tangents. Where one of them is orthogonal, that is a solution on the pieces that end there;
   // so they are asked for signs, a few of them.
-  void add_slopes(const Spline_patch<d>& whole, std::size_t axis, const Parameter_range& cell, int side, Relation relation)
+  void add_slopes(std::size_t axis, const Parameter_range& cell, int side, Relation relation, std::vector<Slope>& slopes) const
   {
-    const Vector_of_functions<d> tangent = whole.one_sided_tangent(static_cast<int>(axis), cell, side);
+    const Vector_of_functions<d> tangent = m_whole.one_sided_tangent(static_cast<int>(axis), cell, side);
     if (m_parts.size() == 1)
-      m_slopes.push_back({Parametric_vector<d>(tangent), relation});
+      slopes.push_back({Parametric_vector<d>(tangent), relation});
     else if (const Axis_part& other = m_parts[1 - axis]; m_free_axes.empty() && other.range.first < other.range.second) {
       for (const Exact_rational& at : tangent[0].breaks(0))
         if (other.range.first <= at && at <= other.range.second)
-          m_slopes.push_back({Parametric_vector<d>(part_of<d>(tangent, 0, {at, at})), relation});
+          slopes.push_back({Parametric_vector<d>(part_of<d>(tangent, 0, {at, at})), relation});
     } else
-      m_slopes.push_back({Parametric_vector<d>(part_of<d>(tangent, 0, other.range)), relation});
+      slopes.push_back({Parametric_vector<d>(part_of<d>(tangent, 0, other.range)), relation});
   }
 
   static Constraint compared_with_zero(const Expression& a, Relation relation)
@@ -255,6 +284,7 @@ std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const Joint_r
     products = std::move(longer);
   }
   std::vector<Spline_site<d>> result;
+  result.reserve(products.size());
   for (std::vector<Axis_part>& product : products)
     result.emplace_back(patch, std::move(product), rule);
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.free_axes().size() < b.free_axes().size(); });

@@ -46,6 +46,21 @@ public:
 
   const Summary& total() const { return m_total; }
 
+  // One for a few more nodes, whose work is added afterwards.
+  Summing_solver limited(std::size_t nodes) const
+  {
+    Summing_solver result(*this);
+    const std::size_t limit = m_total.nodes + nodes;
+    if (m_options.node_limit == 0 || limit < m_options.node_limit)
+      result.m_options.node_limit = limit;
+    return result;
+  }
+
+  void add_work_of(const Summing_solver& limited) { m_total = limited.m_total; }
+
+  // Whether there are no nodes left.
+  bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_total.nodes >= m_options.node_limit; }
+
   // Whether there is no time left, so that systems need not be made.
   bool is_out_of_time() const { return m_options.time_limit > 0 && seconds() >= m_options.time_limit; }
 
