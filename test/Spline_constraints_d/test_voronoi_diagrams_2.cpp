@@ -196,7 +196,7 @@ TEST(VoronoiDiagrams, RandomScenes)
   std::mt19937 random(7);
   const K::Aff_transformation_2 motion(0.6, -0.8, 3, 0.8, 0.6, -5);
   int complete = 0;
-  for (int run = 0; run < 4; ++run) {
+  for (int run = 0; run < 3; ++run) {
     const Curves curves = cubics_in_cells(random, 2);
     const Diagram diagram = SC::voronoi_diagram(curves);
     if (!diagram.is_complete())
@@ -209,7 +209,7 @@ TEST(VoronoiDiagrams, RandomScenes)
       moved.push_back(curve.transformed(motion));
     EXPECT_EQ(counts(SC::voronoi_diagram(moved)), counts(diagram));
   }
-  EXPECT_EQ(complete, 4);
+  EXPECT_EQ(complete, 3);
 }
 
 TEST(VoronoiDiagrams, BadInput)

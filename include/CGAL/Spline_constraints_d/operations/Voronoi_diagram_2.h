@@ -54,7 +54,7 @@ The Voronoi diagram of points and curves, trimmed: a planar graph of the points 
 
 A vertex of degree three or more is such a point of as many contacts. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
 
-Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and the vertices that stand for a neighbourhood in which more vertices and edges may be are known: at most as many edges meet there as are listed, up to those that are too small to be told apart.
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges.
 
 \tparam Kernel a `SplineKernel`.
 */

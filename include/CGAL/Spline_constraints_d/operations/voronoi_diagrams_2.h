@@ -17,9 +17,20 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-the Voronoi diagram of curves and points in the plane: which of them is nearest to a point, trimmed and connected by proof.
+the Voronoi diagram of curves and points in the plane: which of them is nearest, for each point of the plane. Its edges are trimmed bisectors; the part within a closed curve is the medial axis there.
 
-Curves may share end points; they must not cross or touch otherwise.
+The sites are the polynomial pieces of the curves, their ends, and the points. Curves may share end points. They must not cross or touch each other elsewhere, nor have a zero derivative: this is not checked, but there the diagram is not resolved, and `Voronoi_diagram_2::is_complete()` is false.
+
+For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. They are connected by their
+contacts, not by coordinates.
+
+\tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides to all cores through TBB. The answers are the same.
+\tparam Range a range of curves that are models of `ParametricCurve_2`.
+\param curves the curves; there may be none.
+\param points the points.
+\throws Invalid_input when a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+
+Complexity: for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, and of points; `complete` is 1 where all of the diagram is proved.
+
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Curve = SC::Bspline_curve_2<K>;
+
+namespace {
+
+// Control points with increasing x or y, so that no segment crosses itself.
+std::vector<Curve> cubics_in_cells(std::size_t count)
+{
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> coordinate(1, 9);
+  const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(count)));
+  std::vector<Curve> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double left = 10.0 * static_cast<double>(i % columns), low = 10.0 * static_cast<double>(i / columns);
+    std::vector<double> increasing(4);
+    std::generate(increasing.begin(), increasing.end(), [&] { return coordinate(generator); });
+    std::sort(increasing.begin(), increasing.end());
+    std::vector<K::Point_2> points;
+    for (const double t : increasing)
+      points.push_back(i % 2 == 0 ? K::Point_2(left + t, low + coordinate(generator)) : K::Point_2(left + coordinate(generator), low + t));
+    result.push_back(SC::bezier_curve(points));
+  }
+  return result;
+}
+
+void diagram_of_cubics(benchmark::State& state)
+{
+  const std::vector<Curve> curves = cubics_in_cells(static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) {
+    const auto diagram = SC::voronoi_diagram(curves);
+    state.counters["edges"] = static_cast<double>(diagram.edges().size());
+    state.counters["complete"] = diagram.is_complete();
+  }
+}
+BENCHMARK(diagram_of_cubics)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+void diagram_of_points(benchmark::State& state)
+{
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> coordinate(0, 100);
+  std::vector<K::Point_2> points;
+  for (int i = 0; i < state.range(0); ++i)
+    points.emplace_back(coordinate(generator), coordinate(generator));
+  for (auto _ : state) {
+    const auto diagram = SC::voronoi_diagram(std::vector<Curve>(), points);
+    state.counters["edges"] = static_cast<double>(diagram.edges().size());
+    state.counters["complete"] = diagram.is_complete();
+  }
+}
+BENCHMARK(diagram_of_points)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+} // namespace
