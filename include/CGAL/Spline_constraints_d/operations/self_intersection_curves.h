@@ -34,7 +34,7 @@ Undecided are: points where two sheets touch; cuspidal edges, pieces that the su
 \param options those of `solve_curves()`.
 \throws Invalid_input when the surface has several pieces, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
 
-Complexity: that of `solve_curves()` with four equations in five unknowns. Source: \cgalCite{egk-dto-09} divides the diagonal out for planar curves.
+Complexity: that of `solve_curves()` with four equations in five unknowns. Source: \cgalCite{egk-ssi-09} removes the diagonal from the equations in another way.
 */
 template <internal::Surface_operand Surface>
 Surface_intersection<internal::Operand_kernel<Surface>> self_intersection_curves(const Surface& surface, const Solver_options& options = {.tolerance = 1e-8})

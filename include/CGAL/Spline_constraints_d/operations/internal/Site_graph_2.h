@@ -44,6 +44,7 @@ struct Front
   bool is_reversed = false;  // the right side of an arc
   std::array<Exact_pair, 2> exact_normals{};
   std::array<Interval_pair, 2> normals{};
+  std::array<std::vector<Arc_end>, 2> perpendicular_ends{};   // to the exact normals, of arcs that end in the vertex
   std::size_t next = 0;      // where the traversal goes on
 };
 
@@ -78,6 +79,7 @@ private:
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::size_t> m_curve_of_arc;
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
+  std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
   std::vector<std::array<std::optional<Smooth_continuation>, 2>> m_continuations;
   std::vector<Vertex> m_vertices;
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
@@ -92,6 +94,7 @@ public:
     const Exact_pair a = arc.at(0), b = arc.at(1);
     if (a == b && a == arc.at(Exact_rational(1) / 2))
       throw Invalid_input("a piece of curve " + std::to_string(curve) + " is a point");
+    m_directions.push_back({direction_of(arc, false), direction_of(arc, true)});
     m_arcs.push_back(std::move(arc));
     m_curve_of_arc.push_back(curve);
     const std::size_t first = vertex_at(a), second = vertex_at(b);
@@ -142,22 +145,7 @@ public:
   }
 
   // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
-  Exact_pair direction(const Arc_end& end) const
-  {
-    const auto& [x, y, w] = m_arcs[end.arc].piece().coordinates;
-    const auto elevated = [&](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
-    const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
-    const std::size_t last = xs.size() - 1;
-    const auto point = [&](std::size_t i) {
-      const std::size_t k = end.is_end ? last - i : i;
-      return Exact_pair{Exact_rational(xs[k] / ws[k]), Exact_rational(ys[k] / ws[k])};
-    };
-    const Exact_pair p = point(0);
-    for (std::size_t i = 1; i <= last; ++i)
-      if (const Exact_pair q = point(i); q != p)
-        return {Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
-    return {};
-  }
+  const Exact_pair& direction(const Arc_end& end) const { return m_directions[end.arc][end.is_end]; }
 
   Front_jet front_jet(const Front& front, const Range& range) const
   {
@@ -177,11 +165,18 @@ public:
     if (m_fronts[front].is_fan)
       return false;
     const Site_arc_2& arc = m_arcs[m_fronts[front].object];
+    if (!arc.is_straight() && !arc.circle())
+      return false;
     const Exact_pair& p = m_vertices[vertex].exact_point;
     const auto from = [&p](const Exact_pair& q) { return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])}; };
-    if (arc.is_straight())
-      return sign_of(exact_cross(from(arc.at(0)), from(arc.at(1)))) == 0;
-    return arc.circle() && exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
+    if (arc.is_straight()) {
+      const auto& [a, b] = m_vertices_of_arc[m_fronts[front].object];
+      const Interval_pair& q = m_vertices[vertex].point;
+      if (certain_sign(dot(turned_left(m_vertices[a].point - q), m_vertices[b].point - q)) != 0)
+        return false;
+      return sign_of(exact_cross(from(m_vertices[a].exact_point), from(m_vertices[b].exact_point))) == 0;
+    }
+    return exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
   }
 
   // The normal in the begin (0) or end (1) of the parameters of a front, up to its length.
@@ -194,7 +189,11 @@ public:
   }
 
   // Whether the first or last normal of a fan is perpendicular to an arc there.
-  bool is_perpendicular(const Front& fan, bool normal, const Arc_end& end) const { return sign_of(exact_dot(fan.exact_normals[normal], direction(end))) == 0; }
+  static bool is_perpendicular(const Front& fan, bool normal, const Arc_end& end)
+  {
+    const std::vector<Arc_end>& ends = fan.perpendicular_ends[normal];
+    return std::find(ends.begin(), ends.end(), end) != ends.end();
+  }
 
   const Exact_pair& exact_point(const Front& front, bool end) const { return m_vertices[front.is_fan ? front.object : vertex_of({front.object, end})].exact_point; }
 
@@ -210,6 +209,24 @@ public:
   }
 
 private:
+  // From the end to the next control point that is another point.
+  static Exact_pair direction_of(const Site_arc_2& arc, bool is_end)
+  {
+    const auto& [x, y, w] = arc.piece().coordinates;
+    const auto elevated = [&](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
+    const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
+    const std::size_t last = xs.size() - 1;
+    const auto point = [&](std::size_t i) {
+      const std::size_t k = is_end ? last - i : i;
+      return Exact_pair{Exact_rational(xs[k] / ws[k]), Exact_rational(ys[k] / ws[k])};
+    };
+    const Exact_pair p = point(0);
+    for (std::size_t i = 1; i <= last; ++i)
+      if (const Exact_pair q = point(i); q != p)
+        return {Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    return {};
+  }
+
   std::size_t vertex_at(const Exact_pair& point)
   {
     const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
@@ -290,7 +307,12 @@ private:
   std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
     const auto enclosed = [](const Exact_pair& x) { return Interval_pair{interval_of(x[0]), interval_of(x[1])}; };
-    m_fronts.push_back({true, vertex, false, {from, to}, {enclosed(from), enclosed(to)}});
+    Front fan{true, vertex, false, {from, to}, {enclosed(from), enclosed(to)}};
+    for (const Arc_end& end : m_vertices[vertex].ends)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (sign_of(exact_dot(fan.exact_normals[k], direction(end))) == 0)
+          fan.perpendicular_ends[k].push_back(end);
+    m_fronts.push_back(std::move(fan));
     m_vertices[vertex].fans.push_back(m_fronts.size() - 1);
     return m_fronts.size() - 1;
   }
