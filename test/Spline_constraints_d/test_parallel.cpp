@@ -9,8 +9,12 @@
 
 #include "solver_test_checks.h"
 
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/batch.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <tbb/global_control.h>
 
@@ -183,4 +187,22 @@ TEST(Parallel, Visitor)
   EXPECT_EQ(stopped.summary().why_not, SC::Undecided_reason::STOPPED);
   EXPECT_TRUE(impatient.is_alone);
   expect_nothing_lost(problem.known, stopped);
+}
+
+TEST(Parallel, VoronoiDiagram)
+{
+  using K = CGAL::Simple_cartesian<double>;
+  using P = K::Point_2;
+  std::vector<SC::Bspline_curve_2<K>> curves;
+  for (const P& p : {P(0, 0), P(4.3, 0.7), P(9.1, -0.4), P(0.9, 3.8), P(5.2, 4.9), P(10.4, 3.6)})
+    curves.push_back(SC::bezier_curve(std::vector<P>{p, P(p.x() + 1, p.y() + 2), P(p.x() + 2, p.y() - 2 + p.x() / 8), P(p.x() + 3, p.y() + 1)}));
+  const auto one_by_one = SC::voronoi_diagram(curves), parallel = SC::voronoi_diagram<CGAL::Parallel_tag>(curves);
+  EXPECT_TRUE(parallel.is_complete());
+  ASSERT_EQ(parallel.vertices().size(), one_by_one.vertices().size());
+  ASSERT_EQ(parallel.edges().size(), one_by_one.edges().size());
+  EXPECT_GT(parallel.edges().size(), 30U);
+  for (std::size_t i = 0; i < parallel.vertices().size(); ++i) {
+    EXPECT_EQ(parallel.vertices()[i].point, one_by_one.vertices()[i].point);
+    EXPECT_EQ(parallel.vertices()[i].edges, one_by_one.vertices()[i].edges);
+  }
 }
