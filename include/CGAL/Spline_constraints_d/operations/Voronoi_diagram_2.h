@@ -8,7 +8,6 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -93,7 +92,6 @@ private:
   std::vector<Vertex> m_vertices;
   std::vector<Edge> m_edges;
   std::vector<std::size_t> m_halfedge_of_edge;
-  bool m_is_complete = true;
 
 public:
 #ifndef DOXYGEN_RUNNING
@@ -103,7 +101,6 @@ public:
     make_sites();
     make_vertices();
     make_edges();
-    m_is_complete = m_diagram->number_of_unmatched_halfedges() == 0 && !m_diagram->has_unknown_front() && std::all_of(m_vertices.begin(), m_vertices.end(), [](const Vertex& v) { return v.is_resolved; });
   }
 #endif
 
@@ -120,7 +117,7 @@ public:
   std::size_t number_of_regions() const { return m_graph->number_of_components(); }
 
   //! whether all of the diagram is proved.
-  bool is_complete() const { return m_is_complete; }
+  bool is_complete() const { return m_diagram->is_complete(); }
 
   /*!
   points along an edge, so many that it passes the middles of their chords at no more than a given distance.

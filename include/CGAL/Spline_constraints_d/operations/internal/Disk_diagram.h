@@ -74,10 +74,12 @@ public:
   const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
   const std::vector<Vertex>& vertices() const { return m_vertices; }
   const std::vector<Part>& lone_circles() const { return m_lone_circles; }
-  std::size_t number_of_unmatched_halfedges() const { return m_unmatched; }
-
-  // Whether nothing at all is known of a front.
-  bool has_unknown_front() const { return std::any_of(m_stretches.begin(), m_stretches.end(), [](const auto& stretches) { return stretches.empty(); }); }
+  // Whether all fronts are resolved, and all halfedges have twins.
+  bool is_complete() const
+  {
+    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
+    return m_unmatched == 0 && std::all_of(m_stretches.begin(), m_stretches.end(), [&](const auto& stretches) { return !stretches.empty() && std::all_of(stretches.begin(), stretches.end(), is_resolved); });
+  }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
   const Front& front(const Part& part) const { return m_graph.fronts()[part.front]; }

@@ -209,21 +209,19 @@ public:
   }
 
 private:
-  // From the end to the next control point that is another point.
+  // The first derivative that is not zero, up to its length: from the end to the next control point that is another point, whatever the signs of their weights.
   static Exact_pair direction_of(const Site_arc_2& arc, bool is_end)
   {
     const auto& [x, y, w] = arc.piece().coordinates;
     const auto elevated = [&](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
     const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
-    const std::size_t last = xs.size() - 1;
-    const auto point = [&](std::size_t i) {
+    const std::size_t last = xs.size() - 1, end = is_end ? last : 0;
+    for (std::size_t i = 1; i <= last; ++i) {
       const std::size_t k = is_end ? last - i : i;
-      return Exact_pair{Exact_rational(xs[k] / ws[k]), Exact_rational(ys[k] / ws[k])};
-    };
-    const Exact_pair p = point(0);
-    for (std::size_t i = 1; i <= last; ++i)
-      if (const Exact_pair q = point(i); q != p)
-        return {Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+      const Exact_pair d{Exact_rational(xs[k] * ws[end] - xs[end] * ws[k]), Exact_rational(ys[k] * ws[end] - ys[end] * ws[k])};   // over the square of the weight
+      if (sign_of(d[0]) != 0 || sign_of(d[1]) != 0)
+        return d;
+    }
     return {};
   }
 
