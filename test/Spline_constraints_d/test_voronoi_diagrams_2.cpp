@@ -212,6 +212,13 @@ TEST(VoronoiDiagrams, RandomScenes)
   EXPECT_EQ(complete, 3);
 }
 
+// Nothing is resolved where curves cross, and the result says so.
+TEST(VoronoiDiagrams, CrossingSegmentsAreNotComplete)
+{
+  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(0, 0), P(4, 1)}), bezier({P(1, 3), P(2, -2)})});
+  EXPECT_FALSE(diagram.is_complete());
+}
+
 TEST(VoronoiDiagrams, BadInput)
 {
   EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(1, 1), P(1, 1)})}), SC::Invalid_input);
