@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,10 +63,12 @@ public:
   {
     const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
     const Interval shift = part.range.interval() - Interval(part.range.middle());
-    Attained attained{Interval(least_curvature(part)), Interval(0)};
-    attained.least = attained.at_middle.inf();
+    Attained attained{Interval(0), Interval(0)};
+    const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
+    if (circle)
+      attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     std::vector<Disk_candidate> fresh = std::move(candidates), settled, next;
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift); };
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (circle && m_curvature.are_outside_own_circle(part, points(candidate))); };
     while (!fresh.empty()) {
       for (Disk_candidate& candidate : fresh)
         bound(part, middle, candidate, attained);
@@ -93,6 +96,15 @@ private:
     double least = 0;
   };
 
+  Interval_pair points(const Disk_candidate& candidate) const
+  {
+    switch (candidate.kind) {
+    case Disk_candidate::Kind::NODE: return m_tree.node(candidate.index).box;
+    case Disk_candidate::Kind::VERTEX: return m_graph.vertices()[candidate.index].point;
+    default: return candidate.jet[0];
+    }
+  }
+
   static bool is_too_low(const Disk_candidate& candidate, const Attained& attained, const Interval& shift)
   {
     const Curvature_bounds& k = candidate.bounds;
@@ -106,15 +118,6 @@ private:
     if (candidate.kind == Disk_candidate::Kind::VERTEX)
       return difference.sup() < 0;
     return (difference + k.dv * (candidate.range.interval() - Interval(candidate.range.middle()))).sup() < 0;
-  }
-
-  // The disks that osculate a circle have its curvature.
-  double least_curvature(const Front_part& part) const
-  {
-    const Front& front = m_graph.fronts()[part.front];
-    if (front.is_fan || !m_graph.arcs()[front.object].circle())
-      return 0;
-    return (std::max)(0.0, m_curvature(part, m_graph.vertex_of({front.object, false})).value.inf());
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_slope.h>
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Dis
   switch (located.contact.kind) {
   case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
   case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
-  case Disk_contact::Kind::CIRCLE: return {curvature(part, graph.vertex_of({located.contact.index, false})).value};
+  case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
   default: return {Interval(0)};
   }
 }
@@ -108,6 +109,8 @@ The branches of contacts over a part of a front that are left when candidates ha
 */
 class Disk_contacts
 {
+  static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
+
   enum class End_state { NOT_A_MAXIMUM, MAXIMUM, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; or is not known
 
   struct Cluster
@@ -123,28 +126,37 @@ class Disk_contacts
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
+  Disk_slopes& m_slopes;
   const Front_part& m_part;
   const Front& m_front;
+  double m_least;   // curvature of all maximal disks
   std::vector<Cluster> m_clusters;
   std::vector<Disk_branch> m_branches;
   bool m_are_known = true;
 
 public:
-  Disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
-    : m_graph(graph), m_curvature(curvature), m_part(part), m_front(graph.fronts()[part.front])
+  Disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_front(graph.fronts()[part.front]), m_least(least)
   {
     collect(candidates);
+    if (!(least > 0))
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_front(cluster); });
     for (const Arc_end& end : ends_at_common_vertices())
       merge_at_vertex(end);
+    if (!m_front.is_fan)
+      for (const bool end : {false, true})
+        if (const auto& continuation = graph.continuation({m_front.object, end}))
+          merge_at_joint(continuation->end);
     for (Cluster& cluster : m_clusters)
       m_are_known = m_are_known && has_one_maximum(cluster);
     if (!m_are_known)
       return;
+    settle_joints();
     for (const Cluster& cluster : m_clusters)
       add_branches(cluster);
     if (!(least > 0))
       m_branches.push_back(Disk_branch());
-    if (!m_front.is_fan && graph.arcs()[m_front.object].circle() && curvature(part, graph.vertex_of({m_front.object, false})).value.sup() >= (std::max)(least, 0.0))
+    if (const auto circle = curvature.of_own_circle(part); circle && circle->value.sup() >= least)
       m_branches.push_back(branch_to(Disk_contact::Kind::CIRCLE, m_front.object));
   }
 
@@ -232,15 +244,75 @@ private:
       cluster.ends[slope > 0] = End_state::MAXIMUM;
       return true;
     }
-    if (!(cluster.bounds.dvv.sup() < 0))
-      return false;
-    for (const bool end : {false, true})
-      if (cluster.touches(end)) {
-        const double v = end ? 1 : 0;
-        const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
-        cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+    const bool is_concave = cluster.bounds.dvv.sup() < 0;
+    if (is_concave) {
+      bool are_ends_known = true;
+      for (const bool end : {false, true})
+        if (cluster.touches(end)) {
+          const double v = end ? 1 : 0;
+          const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
+          cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+          are_ends_known = are_ends_known && sign != 0;
+        }
+      if (are_ends_known)
+        return true;
+    }
+    return has_known_slopes(cluster) || is_concave;
+  }
+
+  // Calls visit(slope, range of the distance from the end of the front, range of that from the end of the arc) for the ends that the part and a cluster reach, until that returns true.
+  template <class Visit>
+  bool is_any_end(const Cluster& cluster, const Visit& visit) const
+  {
+    const auto from = [](const Range& range, bool end) { return end ? Range{1 - range.end, 1 - range.begin} : range; };
+    for (const bool front_end : {false, true})
+      for (const bool end : {false, true}) {
+        const Range a = from(m_part.range, front_end);
+        if (cluster.touches(end) && is_near(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
+          return true;
       }
-    return true;
+    return false;
+  }
+
+  // Whether more may be known in an end of an arc, at a distance from an end of the front: near that one, and where both join smoothly.
+  bool is_near(const Range& distance, bool front_end, const Arc_end& end) const
+  {
+    const Arc_end own{m_front.object, front_end};
+    if (distance.begin <= most_gap * distance.width())
+      return m_front.is_fan || own != end;
+    return !m_front.is_fan && m_graph.continuation(own) && m_graph.continuation(own)->end == end;
+  }
+
+  bool has_known_slopes(Cluster& cluster) const
+  {
+    return is_any_end(cluster, [&](const Disk_slope& slope, const Range& a, const Range& b, bool end) {
+      const Sign_pattern pattern = slope.slopes(a, b, m_least);
+      if (pattern == Sign_pattern::UNKNOWN || pattern == Sign_pattern::ZERO)
+        return false;
+      cluster.ends[end] = pattern == Sign_pattern::NEGATIVE ? End_state::MAXIMUM : pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : End_state::NOT_A_MAXIMUM;
+      cluster.ends[!end] = pattern == Sign_pattern::POSITIVE ? End_state::MAXIMUM : End_state::NOT_A_MAXIMUM;
+      return true;
+    });
+  }
+
+  // Whether all disks through a cluster are half-planes or larger.
+  bool is_below_front(const Cluster& cluster) const
+  {
+    return is_any_end(cluster, [](const Disk_slope& slope, const Range& a, const Range& b, bool) { return slope.is_value_negative(a, b); });
+  }
+
+  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
+  void settle_joints()
+  {
+    for (Cluster& cluster : m_clusters)
+      for (const bool end : {false, true}) {
+        const auto& continuation = m_graph.continuation({cluster.arc, end});
+        const Cluster* next = continuation ? cluster_at(continuation->end) : nullptr;
+        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr)
+          continue;
+        const End_state state = next->ends[continuation->end.is_end];
+        cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
+      }
   }
 
   // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
@@ -257,6 +329,25 @@ private:
       std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
       m_clusters.push_back(all);
     }
+  }
+
+  // The same for an arc that goes on where that of the front ends.
+  void merge_at_joint(const Arc_end& other)
+  {
+    if (cluster_at(other) == nullptr)
+      return;
+    Cluster all = *cluster_at(other);
+    std::size_t count = 0;
+    for (const Cluster& cluster : m_clusters)
+      if (cluster.arc == other.arc) {
+        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
+        ++count;
+      }
+    if (count < 2 || !has_known_slopes(all))
+      return;
+    all.is_known = true;
+    std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
+    m_clusters.push_back(all);
   }
 
   // Where the fan is perpendicular to the arc.
@@ -336,7 +427,7 @@ private:
           continue;
         m_are_known = m_are_known && !branch.move;
         branch.move = {Disk_event::JOINT, cluster.arc, end ? 1.0 : 0.0, end ? *beyond : branch, end ? branch : *beyond};
-        if (beyond->contact.kind == Disk_contact::Kind::ARC && beyond->contact.index < cluster.arc)
+        if (beyond->contact.kind == Disk_contact::Kind::ARC && is_before(beyond->contact.index, cluster.arc))
           return;   // it is added there
       }
     const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
@@ -350,6 +441,13 @@ private:
         branch.move = {Disk_event::TIP, cluster.arc, 0, after, before};
     }
     m_branches.push_back(branch);
+  }
+
+  // Joints belong to one of their arcs: if possible to that of the front, for which bounds are tight.
+  bool is_before(std::size_t a, std::size_t b) const
+  {
+    const auto is_other = [&](std::size_t arc) { return m_front.is_fan || arc != m_front.object; };
+    return std::pair(is_other(a), a) < std::pair(is_other(b), b);
   }
 
   // What disks touch if the maximum is not in the arc, but beyond its end; nothing if the maximum cannot be there.
@@ -393,7 +491,7 @@ private:
     switch (branch.contact.kind) {
     case Disk_contact::Kind::ARC: return at(m_part, branch.contact.index, branch.range).du;
     case Disk_contact::Kind::VERTEX: return m_curvature(m_part, branch.contact.index).du;
-    case Disk_contact::Kind::CIRCLE: return m_curvature(m_part, m_graph.vertex_of({m_front.object, false})).du;
+    case Disk_contact::Kind::CIRCLE: return m_curvature.of_own_circle(m_part).value().du;
     default: return Interval(0);
     }
   }

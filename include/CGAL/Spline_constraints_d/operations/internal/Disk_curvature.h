@@ -61,6 +61,30 @@ public:
     return general(part.jet, jet);
   }
 
+  // The disks that touch a front from within the circle that it lies on have the curvature of that.
+  std::optional<Curvature_bounds> of_own_circle(const Front_part& part) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (front.is_fan || !m_graph.arcs()[front.object].circle())
+      return std::nullopt;
+    const Site_arc_2& arc = m_graph.arcs()[front.object];
+    const double u = part.range.middle();
+    const Front_jet x = m_graph.front_jet(front, {u, u});
+    if (!(dot(x.normal, arc.center() - x.point).inf() > 0))
+      return std::nullopt;
+    Curvature_bounds result;
+    result.value = CGAL::sqrt(squared_norm(part.jet.normal) / arc.squared_radius());
+    result.du = dot(part.jet.normal, part.jet.normal_derivative) / (arc.squared_radius() * result.value);
+    return result;
+  }
+
+  // Whether all points are outside of that circle: disks through them are larger.
+  bool are_outside_own_circle(const Front_part& part, const Interval_pair& points) const
+  {
+    const Site_arc_2& arc = m_graph.arcs()[m_graph.fronts()[part.front].object];
+    return (squared_norm(points - arc.center()) - arc.squared_radius()).inf() > 0;
+  }
+
 private:
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
@@ -127,8 +151,6 @@ private:
       if (m_graph.vertex_of(own) != vertex || own == end)
         continue;
       const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
-      if (own_to_vertex.width() > 4 * part.range.width())
-        continue;
       const auto& continuation = m_graph.continuation(own);
       if (continuation && continuation->end == end)
         result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *continuation, to_vertex));
@@ -142,9 +164,8 @@ private:
   {
     const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[continuation.end.arc].jet(range, 2);
     const Interval one(1), to_end(own.is_end ? 1 : -1), away(continuation.end.is_end ? -1 : 1), scale = one / continuation.speed_ratio;
-    const Interval_pair d = hull(to_end * x[1], (away * scale) * y[1]), second = hull(x[2], CGAL::square(scale) * y[2]);
-    const Interval q = squared_norm(d);
-    return q.inf() > 0 ? dot(part.jet.normal, second) / q : any_number();
+    const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
+    return q.inf() > 0 ? hull(dot(part.jet.normal, x[2]), CGAL::square(scale) * dot(part.jet.normal, y[2])) / q : any_number();
   }
 
   // The outgoing mean derivative of an arc between an end and the points of a range.

@@ -49,6 +49,7 @@ class Maximal_disks
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
   Disk_candidates m_candidates;
+  std::optional<Disk_slopes> m_slopes;
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
   int m_nodes = 0;
@@ -62,6 +63,7 @@ public:
     m_stretches.clear();
     m_unresolved.reset();
     m_nodes = 0;
+    m_slopes.emplace(m_graph, front);
     sweep(front, Range(), m_candidates.all());
     if (m_unresolved && !m_stretches.empty())
       m_stretches.back().events[1] = Disk_event::UNRESOLVED;
@@ -87,7 +89,7 @@ private:
   // Finds the stretches within a range, if there is at most one event.
   bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
-    const Disk_contacts contacts(m_graph, m_curvature, part, candidates, least);
+    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
       return false;
     const std::vector<Disk_branch> highest = contacts.highest();

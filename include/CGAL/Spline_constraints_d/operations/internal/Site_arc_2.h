@@ -125,6 +125,8 @@ class Site_arc_2
   bool m_is_polynomial = true;
   bool m_is_straight = true;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
+  Interval_pair m_center{};                                        // of the circle
+  Interval m_squared_radius;
 
 public:
   explicit Site_arc_2(Homogeneous_piece piece) : m_piece(std::move(piece))
@@ -140,6 +142,10 @@ public:
     m_is_straight = contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     if (!m_is_straight)
       m_circle = circle_through_all_points();
+    if (m_circle) {
+      m_center = {interval_of(m_circle->first[0]), interval_of(m_circle->first[1])};
+      m_squared_radius = interval_of(m_circle->second);
+    }
   }
 
   const Homogeneous_piece& piece() const { return m_piece; }
@@ -147,6 +153,8 @@ public:
 
   // The circle the arc lies on.
   const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
+  const Interval_pair& center() const { return m_center; }
+  const Interval& squared_radius() const { return m_squared_radius; }
 
   Exact_pair at(const Exact_rational& t) const
   {

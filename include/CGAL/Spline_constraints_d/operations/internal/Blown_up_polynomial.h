@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_BLOWN_UP_POLYNOMIAL_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_BLOWN_UP_POLYNOMIAL_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some paths only negative.
+enum class Sign_pattern { UNKNOWN, ZERO, POSITIVE, NEGATIVE, FALLING, FALLING_OR_NEGATIVE };
+
+/*
+The signs of a polynomial p(a,b) for small a, b > 0, also where it is zero for a = b = 0. With d the lowest degree of a term,
+
+  p = a^d g(a,m), m = b/a,   p = b^d h(b,l), l = a/b,
+
+with polynomials g and h that do not vanish for a = 0 or b = 0 but in the tangents of the curve p = 0, if its factors a^i b^j, which are positive, are taken out before. The paths are those of constant a, where b grows: first m grows up to a limit, then l decreases.
+*/
+class Blown_up_polynomial
+{
+public:
+  // A piece of a path: a range of a or b, and of their ratio m or l.
+  struct Chart_range
+  {
+    Interval radius, ratio;
+    bool is_far;   // b and l
+  };
+
+private:
+  static constexpr double most_ratio = 8;
+  static constexpr int most_depth = 8;
+
+  std::size_t m_degree = 0;                      // d
+  std::vector<std::vector<Interval>> m_rows;     // the coefficients of a^i b^j, in the order of i + j - d and j
+
+  struct Value
+  {
+    Interval value, by_ratio, by_radius;
+  };
+
+  // What is known about a piece of a path.
+  enum class Piece { POSITIVE, FALLING, NEGATIVE, UNKNOWN, IRRELEVANT };
+
+  // The pieces of a path.
+  struct Pieces
+  {
+    std::optional<Piece> first{}, last{};   // that matter
+    bool has_sign = true;                   // all that matter have the same one
+    bool begins_irrelevant = false, ends_irrelevant = false;
+
+    // Returns whether their order is still that of one maximum.
+    bool append(Piece piece)
+    {
+      ends_irrelevant = piece == Piece::IRRELEVANT;
+      begins_irrelevant = begins_irrelevant || (ends_irrelevant && !first);
+      if (ends_irrelevant)
+        return true;
+      const bool is_in_order = piece != Piece::UNKNOWN && (!last || *last <= piece);
+      has_sign = has_sign && piece != Piece::FALLING && (!last || *last == piece);
+      if (!first)
+        first = piece;
+      last = piece;
+      return is_in_order;
+    }
+  };
+
+public:
+  explicit Blown_up_polynomial(const Power_polynomial& p)
+  {
+    if (p.is_zero())
+      return;
+    int degree = std::numeric_limits<int>::max();
+    for (const auto& [monomial, coefficient] : p.terms())
+      degree = (std::min)(degree, monomial.total_degree());
+    m_degree = static_cast<std::size_t>(degree);
+    for (const auto& [monomial, coefficient] : p.terms()) {
+      const std::size_t row = static_cast<std::size_t>(monomial.total_degree()) - m_degree;
+      while (m_rows.size() <= row)
+        m_rows.emplace_back(m_degree + m_rows.size() + 1, Interval(0));
+      m_rows[row][static_cast<std::size_t>(monomial.exponent(1))] = interval_of(coefficient);
+    }
+  }
+
+  // The same without its factors a^i b^j.
+  static Blown_up_polynomial without_common_powers(const Power_polynomial& p)
+  {
+    Power_polynomial result = p;
+    for (const int variable : {0, 1}) {
+      int common = std::numeric_limits<int>::max();
+      for (const auto& [monomial, coefficient] : result.terms())
+        common = (std::min)(common, monomial.exponent(variable));
+      Power_polynomial divided;
+      for (const auto& [monomial, coefficient] : result.terms())
+        divided += Power_polynomial(coefficient) * power_product(monomial.with_exponent(variable, monomial.exponent(variable) - common));
+      result = std::move(divided);
+    }
+    return Blown_up_polynomial(result);
+  }
+
+  bool is_zero() const { return m_rows.empty(); }
+  std::size_t degree() const { return m_degree; }
+
+  // The polynomial divided by the power d of a or b.
+  Interval operator()(const Chart_range& range) const { return at(range.radius, range.ratio, range.is_far).value; }
+
+  // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of factors at their begins do not count.
+  template <class Is_irrelevant>
+  Sign_pattern pattern(const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const
+  {
+    if (is_zero())
+      return Sign_pattern::ZERO;
+    Pieces pieces;
+    const double first = (Interval(b.begin) / Interval(a.end)).inf();
+    const double last = a.begin > 0 ? (std::min)(most_ratio, (Interval(b.end) / Interval(a.begin)).sup()) : most_ratio;
+    if (first < last && !append_ratios(a, {first, last}, 0, is_irrelevant, pieces))
+      return Sign_pattern::UNKNOWN;
+    const Range far{(std::max)(b.begin, (Interval(most_ratio) * Interval(a.begin)).inf()), b.end};
+    if (far.begin < far.end && !append_far(a, far, 0, is_irrelevant, pieces))
+      return Sign_pattern::UNKNOWN;
+    if (!pieces.first)
+      return Sign_pattern::UNKNOWN;
+    if (pieces.has_sign && !pieces.begins_irrelevant && !pieces.ends_irrelevant)
+      return *pieces.first == Piece::POSITIVE ? Sign_pattern::POSITIVE : Sign_pattern::NEGATIVE;
+    const int begin = pieces.begins_irrelevant ? 1 : sign_at(a, b.begin), end = pieces.ends_irrelevant ? -1 : sign_at(a, b.end);
+    if (begin < 0 || end > 0)
+      return begin < 0 ? Sign_pattern::NEGATIVE : Sign_pattern::POSITIVE;
+    return end == 0 ? Sign_pattern::UNKNOWN : begin == 0 ? Sign_pattern::FALLING_OR_NEGATIVE : Sign_pattern::FALLING;
+  }
+
+  Sign_pattern pattern(const Range& a, const Range& b) const
+  {
+    return pattern(a, b, [](const Chart_range&) { return false; });
+  }
+
+private:
+  static Power_polynomial power_product(const Monomial& monomial)
+  {
+    Power_polynomial result(1);
+    for (const auto& [variable, exponent] : monomial.powers)
+      for (int k = 0; k < exponent; ++k)
+        result *= Power_polynomial::variable(variable);
+    return result;
+  }
+
+  // The sign for all a > 0 and one b.
+  int sign_at(const Range& a, double b) const
+  {
+    if (b > 0)
+      return certain_sign(at(Interval(b), a.interval() / Interval(b), true).value);
+    // p(a,0), where a power of a may be a factor
+    const auto first = std::find_if(m_rows.begin(), m_rows.end(), [](const auto& row) { return row.front() != Interval(0); });
+    Interval value(0);
+    for (auto row = m_rows.end(); row != first; )
+      value = value * a.interval() + (--row)->front();
+    return certain_sign(value);
+  }
+
+  static Piece piece(const Interval& value, const Interval& derivative)
+  {
+    return value.inf() > 0 ? Piece::POSITIVE : value.sup() < 0 ? Piece::NEGATIVE : derivative.sup() < 0 ? Piece::FALLING : Piece::UNKNOWN;
+  }
+
+  template <class Is_irrelevant>
+  bool append_ratios(const Range& a, const Range& m, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
+  {
+    if (is_irrelevant(Chart_range{a.interval(), m.interval(), false}))
+      return pieces.append(Piece::IRRELEVANT);
+    const Value g = at(a.interval(), m.interval(), false);
+    const Interval centered = at(a.interval(), Interval(m.middle()), false).value + g.by_ratio * (m.interval() - Interval(m.middle()));
+    const Piece found = piece(common_part(g.value, centered), g.by_ratio);
+    if (found != Piece::UNKNOWN || depth == most_depth)
+      return pieces.append(found);
+    return append_ratios(a, {m.begin, m.middle()}, depth + 1, is_irrelevant, pieces) && append_ratios(a, {m.middle(), m.end}, depth + 1, is_irrelevant, pieces);
+  }
+
+  // Whether h(0,0) = 0.
+  bool is_zero_in_far_corner() const { return m_rows[0].back() == Interval(0); }
+
+  // By the derivatives of h, where h(0,0) = 0: along the path its derivative is h_b - (l/b) h_l.
+  static Piece piece_at_far_corner(const Value& h)
+  {
+    const int by_radius = certain_sign(h.by_radius), by_ratio = certain_sign(h.by_ratio);
+    if (by_radius * by_ratio == 0)
+      return Piece::UNKNOWN;
+    return by_radius > 0 && by_ratio > 0 ? Piece::POSITIVE : by_radius > 0 ? Piece::UNKNOWN : by_ratio > 0 ? Piece::FALLING : Piece::NEGATIVE;
+  }
+
+  template <class Is_irrelevant>
+  bool append_far(const Range& a, const Range& b, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
+  {
+    const double most = b.begin > 0 ? (std::min)(1 / most_ratio, (Interval(a.end) / Interval(b.begin)).sup()) : 1 / most_ratio;
+    const Interval l((Interval(a.begin) / Interval(b.end)).inf(), most);
+    if (is_irrelevant(Chart_range{b.interval(), l, true}))
+      return pieces.append(Piece::IRRELEVANT);
+    const Value h = at(b.interval(), l, true);
+    const Piece found = is_zero_in_far_corner() && !(l.inf() > 0) && !(b.begin > 0) ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
+    if (found != Piece::UNKNOWN || depth == most_depth)
+      return pieces.append(found);
+    return append_far(a, {b.begin, b.middle()}, depth + 1, is_irrelevant, pieces) && append_far(a, {b.middle(), b.end}, depth + 1, is_irrelevant, pieces);
+  }
+
+  // g or h and its derivatives, by Horner's rule.
+  Value at(const Interval& radius, const Interval& ratio, bool is_inverse) const
+  {
+    Value result{};
+    for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+      Interval value(0), derivative(0);
+      for (std::size_t k = row->size(); k-- > 0;) {
+        derivative = derivative * ratio + value;
+        value = value * ratio + (*row)[is_inverse ? row->size() - 1 - k : k];
+      }
+      result.by_radius = result.by_radius * radius + result.value;
+      result.value = result.value * radius + value;
+      result.by_ratio = result.by_ratio * radius + derivative;
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_BLOWN_UP_POLYNOMIAL_H
