@@ -40,7 +40,8 @@ public:
 
 private:
   static constexpr double most_ratio = 8;
-  static constexpr int most_depth = 8;
+  static constexpr int most_depth = 8, most_far_depth = 14;
+  static constexpr double far_split = 8;
 
   std::size_t m_degree = 0;                      // d
   std::vector<std::vector<Interval>> m_rows;     // the coefficients of a^i b^j, in the order of i + j - d and j
@@ -127,7 +128,7 @@ public:
     if (first < last && !append_ratios(a, {first, last}, 0, is_irrelevant, pieces))
       return Sign_pattern::UNKNOWN;
     const Range far{(std::max)(b.begin, (Interval(most_ratio) * Interval(a.begin)).inf()), b.end};
-    if (far.begin < far.end && !append_far(a, far, 0, is_irrelevant, pieces))
+    if (far.begin < far.end && !append_far(a, far, {0, 1 / most_ratio}, 0, is_irrelevant, pieces))
       return Sign_pattern::UNKNOWN;
     if (!pieces.first)
       return Sign_pattern::UNKNOWN;
@@ -198,17 +199,30 @@ private:
   }
 
   template <class Is_irrelevant>
-  bool append_far(const Range& a, const Range& b, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
+  bool append_far(const Range& a, Range b, const Range& ratios, int depth, const Is_irrelevant& is_irrelevant, Pieces& pieces) const
   {
-    const double most = b.begin > 0 ? (std::min)(1 / most_ratio, (Interval(a.end) / Interval(b.begin)).sup()) : 1 / most_ratio;
-    const Interval l((Interval(a.begin) / Interval(b.end)).inf(), most);
+    b.begin = (std::max)(b.begin, (Interval(a.begin) / Interval(ratios.end)).inf());
+    if (ratios.begin > 0)
+      b.end = (std::min)(b.end, (Interval(a.end) / Interval(ratios.begin)).sup());
+    if (b.end < b.begin)
+      return true;   // no path goes there
+    const double least = (std::max)(ratios.begin, (Interval(a.begin) / Interval(b.end)).inf());
+    const double most = b.begin > 0 ? (std::min)(ratios.end, (Interval(a.end) / Interval(b.begin)).sup()) : ratios.end;
+    if (most < least)
+      return true;
+    const Interval l(least, most);
     if (is_irrelevant(Chart_range{b.interval(), l, true}))
       return pieces.append(Piece::IRRELEVANT);
     const Value h = at(b.interval(), l, true);
-    const Piece found = is_zero_in_far_corner() && !(l.inf() > 0) && !(b.begin > 0) ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
-    if (found != Piece::UNKNOWN || depth == most_depth)
+    const Piece found = is_zero_in_far_corner() && !(least > 0) && !(b.begin > 0) ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
+    if (found != Piece::UNKNOWN || depth == most_far_depth)
       return pieces.append(found);
-    return append_far(a, {b.begin, b.middle()}, depth + 1, is_irrelevant, pieces) && append_far(a, {b.middle(), b.end}, depth + 1, is_irrelevant, pieces);
+    // Paths pass large l and small b first.
+    const double ratio = most / far_split;
+    const bool is_ratio_split = depth % 2 == 0 && least < ratio;
+    const auto [first_ratios, first_b] = is_ratio_split ? std::pair(Range{ratio, most}, b) : std::pair(ratios, Range{b.begin, b.middle()});
+    const auto [last_ratios, last_b] = is_ratio_split ? std::pair(Range{least, ratio}, b) : std::pair(ratios, Range{b.middle(), b.end});
+    return append_far(a, first_b, first_ratios, depth + 1, is_irrelevant, pieces) && append_far(a, last_b, last_ratios, depth + 1, is_irrelevant, pieces);
   }
 
   // g or h and its derivatives, by Horner's rule.

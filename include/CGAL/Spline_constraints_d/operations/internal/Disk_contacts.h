@@ -331,23 +331,24 @@ private:
     }
   }
 
-  // The same for an arc that goes on where that of the front ends.
+  // The same for an arc that goes on where that of the front ends, if its clusters one by one are not known.
   void merge_at_joint(const Arc_end& other)
   {
-    if (cluster_at(other) == nullptr)
-      return;
-    Cluster all = *cluster_at(other);
-    std::size_t count = 0;
-    for (const Cluster& cluster : m_clusters)
+    std::optional<Cluster> all;
+    bool are_known = true;
+    for (Cluster& cluster : m_clusters)
       if (cluster.arc == other.arc) {
-        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
-        ++count;
+        are_known = has_one_maximum(cluster) && are_known;
+        all = all ? Cluster{other.arc, united(all->range, cluster.range), hull(all->bounds, cluster.bounds)} : cluster;
       }
-    if (count < 2 || !has_known_slopes(all))
+    if (are_known)
       return;
-    all.is_known = true;
+    all->range = united(all->range, {other.parameter(), other.parameter()});
+    if (!has_known_slopes(*all))
+      return;
+    all->is_known = true;
     std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
-    m_clusters.push_back(all);
+    m_clusters.push_back(*all);
   }
 
   // Where the fan is perpendicular to the arc.
