@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some paths only negative.
-enum class Sign_pattern { UNKNOWN, ZERO, POSITIVE, NEGATIVE, FALLING, FALLING_OR_NEGATIVE };
+// The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some paths only negative. None: no piece matters.
+enum class Sign_pattern { UNKNOWN, NONE, ZERO, POSITIVE, NEGATIVE, FALLING, FALLING_OR_NEGATIVE };
 
 /*
 The signs of a polynomial p(a,b) for small a, b > 0, also where it is zero for a = b = 0. With d the lowest degree of a term,
@@ -131,7 +131,7 @@ public:
     if (far.begin < far.end && !append_far(a, far, {0, 1 / most_ratio}, 0, is_irrelevant, pieces))
       return Sign_pattern::UNKNOWN;
     if (!pieces.first)
-      return Sign_pattern::UNKNOWN;
+      return Sign_pattern::NONE;
     if (pieces.has_sign && !pieces.begins_irrelevant && !pieces.ends_irrelevant)
       return *pieces.first == Piece::POSITIVE ? Sign_pattern::POSITIVE : Sign_pattern::NEGATIVE;
     const int begin = pieces.begins_irrelevant ? 1 : sign_at(a, b.begin), end = pieces.ends_irrelevant ? -1 : sign_at(a, b.end);

@@ -119,6 +119,7 @@ class Disk_contacts
     Range range;
     Curvature_bounds bounds{};
     bool is_known = false;   // to have one maximum inside
+    bool is_too_low = false;
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
     bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
     bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
@@ -151,6 +152,7 @@ public:
       m_are_known = m_are_known && has_one_maximum(cluster);
     if (!m_are_known)
       return;
+    std::erase_if(m_clusters, [](const Cluster& cluster) { return cluster.is_too_low; });
     settle_joints();
     for (const Cluster& cluster : m_clusters)
       add_branches(cluster);
@@ -289,6 +291,7 @@ private:
       const Sign_pattern pattern = slope.slopes(a, b, m_least);
       if (pattern == Sign_pattern::UNKNOWN || pattern == Sign_pattern::ZERO)
         return false;
+      cluster.is_too_low = pattern == Sign_pattern::NONE;
       cluster.ends[end] = pattern == Sign_pattern::NEGATIVE ? End_state::MAXIMUM : pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : End_state::NOT_A_MAXIMUM;
       cluster.ends[!end] = pattern == Sign_pattern::POSITIVE ? End_state::MAXIMUM : End_state::NOT_A_MAXIMUM;
       return true;
