@@ -210,6 +210,28 @@ public:
     return certain_sign(maximum(part, a) - maximum(part, b));
   }
 
+  // The contacts that disks have before and after one that touches all of them: their curvature there grows least and most.
+  std::optional<std::pair<Disk_branch, Disk_branch>> before_and_after_common_disk(const std::vector<Disk_branch>& branches) const
+  {
+    std::vector<Interval> slopes;
+    for (const Disk_branch& branch : branches)
+      slopes.push_back(slope(branch));
+    const auto first_of = [&](const auto& is_less) {
+      for (std::size_t i = 0; i < branches.size(); ++i) {
+        std::size_t greater = 0;
+        for (std::size_t j = 0; j < branches.size(); ++j)
+          greater += i != j && is_less(slopes[i], slopes[j]);
+        if (greater + 1 == branches.size())
+          return i;
+      }
+      return branches.size();
+    };
+    const std::size_t before = first_of([](const Interval& a, const Interval& b) { return a.sup() < b.inf(); }), after = first_of([](const Interval& a, const Interval& b) { return a.inf() > b.sup(); });
+    if (before == branches.size() || after == branches.size())
+      return std::nullopt;
+    return std::pair(branches[before], branches[after]);
+  }
+
   bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const { return certain_sign(slope(a) - slope(b)) != 0; }
 
 private:

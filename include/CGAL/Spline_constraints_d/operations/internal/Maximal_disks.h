@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Common_disk.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
@@ -44,6 +45,7 @@ class Maximal_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr double least_width = 0x1p-33;
+  static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr int most_nodes = 10000;
 
   const Site_graph_2& m_graph;
@@ -95,7 +97,36 @@ private:
     const std::vector<Disk_branch> highest = contacts.highest();
     if (highest.size() == 1)
       return append_branch(contacts, part.range, highest[0]);
-    return highest.size() == 2 && append_crossing(contacts, part.range, highest[0], highest[1]);
+    return highest.size() == 2 ? append_crossing(contacts, part.range, highest[0], highest[1]) : part.range.width() < exact_width && append_common_disk(contacts, part, highest);
+  }
+
+  /*
+  One disk that touches all contacts of a small part. As differences of curvatures are monotone, the contacts change places in that disk only.
+  */
+  bool append_common_disk(const Disk_contacts& contacts, const Front_part& part, const std::vector<Disk_branch>& branches)
+  {
+    if (std::any_of(branches.begin(), branches.end(), [](const Disk_branch& branch) { return branch.move.has_value(); }))
+      return false;
+    const auto outer = contacts.before_and_after_common_disk(branches);
+    if (!outer)
+      return false;
+    const auto& [before, after] = *outer;
+    const auto sign_at = [&](double u) { return contacts.compare(before, after, u); };
+    if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
+      return false;
+    const Common_disk disk(m_graph, center(m_curvature.part(part.front, located(part.range, sign_at, 1)), before), branches);
+    return disk.touches(part) && std::all_of(branches.begin(), branches.end(), [&](const Disk_branch& branch) { return disk.touches(branch); }) && append_crossing(contacts, part.range, before, after);
+  }
+
+  // The centers of the disks that touch a part of a front and a contact.
+  Interval_pair center(const Front_part& part, const Located_contact& contact) const
+  {
+    const auto at = [&](double u) {
+      const Front_part point = m_curvature.part(part.front, {u, u});
+      const Interval k = largest_curvature(m_graph, m_curvature, point, contact).curvature;
+      return Interval_pair{point.jet.point[0] + point.jet.normal[0] / k, point.jet.point[1] + point.jet.normal[1] / k};
+    };
+    return hull(at(part.range.begin), at(part.range.end));
   }
 
   bool append_branch(const Disk_contacts& contacts, const Range& range, const Disk_branch& branch)

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_COMMON_DISK_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_COMMON_DISK_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+
+#include <optional>
+#include <span>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles.
+*/
+class Common_disk
+{
+  const Site_graph_2& m_graph;
+  Exact_pair m_center;
+  Interval_pair m_enclosed_center;
+  std::optional<Exact_rational> m_squared_radius;
+
+public:
+  // The center is the simplest one in an enclosure.
+  Common_disk(const Site_graph_2& graph, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph)
+  {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
+        return;
+      m_center[k] = simplest_rational_between(Exact_rational(center[k].inf()), Exact_rational(center[k].sup()));
+      m_enclosed_center[k] = interval_of(m_center[k]);
+    }
+    for (const Disk_branch& contact : contacts)
+      if (!m_squared_radius)
+        m_squared_radius = squared_distance(contact.contact);
+  }
+
+  // Whether it touches a part of a front, on the side of the normals.
+  bool touches(const Front_part& part) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const Interval_pair away = m_enclosed_center - part.jet.point;
+    if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
+      return false;
+    if (!front.is_fan)
+      return touches_arc(m_graph.arcs()[front.object], part.range);
+    const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.front_jet(front, {u, u}).normal), away)); };
+    return squared_distance_from(m_graph.vertices()[front.object].exact_point) == *m_squared_radius && turn(part.range.begin) * turn(part.range.end) < 0;
+  }
+
+  // Whether it touches the same thing as the disks of a branch.
+  bool touches(const Located_contact& located) const
+  {
+    if (!m_squared_radius)
+      return false;
+    if (located.contact.kind == Disk_contact::Kind::VERTEX)
+      return squared_distance_from(m_graph.vertices()[located.contact.index].exact_point) == *m_squared_radius;
+    return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range);
+  }
+
+private:
+  static Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
+
+  Exact_rational squared_distance_from(const Exact_pair& p) const
+  {
+    const Exact_pair d = difference(m_center, p);
+    return exact_dot(d, d);
+  }
+
+  Exact_rational squared_distance_from_line(const Site_arc_2& arc) const
+  {
+    const Exact_pair a = arc.at(0), d = difference(arc.at(1), a);
+    const Exact_rational area = exact_cross(d, difference(m_center, a));
+    return Exact_rational(area * area / exact_dot(d, d));
+  }
+
+  // Of the center, if that is known to be rational.
+  std::optional<Exact_rational> squared_distance(const Disk_contact& contact) const
+  {
+    if (contact.kind == Disk_contact::Kind::VERTEX)
+      return squared_distance_from(m_graph.vertices()[contact.index].exact_point);
+    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
+      return squared_distance_from_line(m_graph.arcs()[contact.index]);
+    return std::nullopt;
+  }
+
+  // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
+  bool touches_arc(const Site_arc_2& arc, const Range& range) const
+  {
+    const auto approach = [&](double v) {
+      const Curve_jet y = arc.jet({v, v}, 1);
+      return certain_sign(dot(m_enclosed_center - y[0], y[1]));
+    };
+    return touches_line_or_circle(arc) && approach(range.begin) > 0 && approach(range.end) < 0;
+  }
+
+  // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 = 4 r^2 s^2.
+  bool touches_line_or_circle(const Site_arc_2& arc) const
+  {
+    if (arc.is_straight())
+      return squared_distance_from_line(arc) == *m_squared_radius;
+    if (!arc.circle())
+      return false;
+    const auto& [center, square] = *arc.circle();
+    const Exact_rational rest = squared_distance_from(center) - square - *m_squared_radius;
+    return rest * rest == 4 * square * *m_squared_radius;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_COMMON_DISK_H
