@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SELF_INTERSECTION_CURVES_H
 
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Cell_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Equal_point_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_zeros.h>
@@ -12,6 +13,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -41,14 +43,22 @@ Surface_intersection<internal::Operand_kernel<Surface>> self_intersection_curves
 {
   options.check();
   const internal::Spline_patch<3> patch = internal::Intersection_operand<Surface>::patch(surface);
-  if (patch.breaks(0).size() > 2 || patch.breaks(1).size() > 2)
-    throw Invalid_input("self_intersection_curves: the surface has several pieces");
   const internal::Surface_shape shape(patch);
-  if (internal::is_one_to_one(patch))
-    return {internal::Surface_equations(shape, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
-  Constraint_system_d system = internal::Equal_point_pairs(patch).system();
-  Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
-  return {internal::Surface_equations(shape, std::move(system)), std::move(solutions)};
+  const internal::Cell_pairs pairs(patch);
+  std::vector<internal::Solved_part> parts;
+  const auto add = [&](Constraint_system_d system) {
+    Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
+    parts.push_back({internal::Surface_equations(shape, std::move(system)), std::move(solutions)});
+  };
+  for (const internal::Spline_patch<3>& cell : pairs.single_cells())
+    add(internal::Equal_point_pairs(cell).system());
+  for (const internal::Parameter_box& cells : pairs.cells_apart())
+    add(internal::equal_points_of(patch, cells));
+  for (const internal::Parameter_box& cells : pairs.undecided())
+    parts.push_back({internal::Surface_equations(shape, Constraint_system_d(cells)), internal::undecided_curves(cells, Undecided_reason::TOLERANCE)});
+  if (parts.empty())
+    parts.push_back({internal::Surface_equations(shape, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())});
+  return Surface_intersection<internal::Operand_kernel<Surface>>(std::move(parts));
 }
 
 } // namespace Spline_constraints
