@@ -4,9 +4,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CELL_PAIRS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CELL_PAIRS_H
 
-#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
+#include <CGAL/Spline_constraints_d/number/Number_traits_exact.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Tangent_planes.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
@@ -19,33 +23,45 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-/*
-Whether n x S_u x S_v is positive for some n and all derivatives within their bounds, on a rectangle that is the union of parts of a surface. Then S(P) = S(Q) for no P != Q: the difference is (u - s) x + (v - t) y, where x
-and y are means of the derivatives, which have the same bounds.
-*/
-inline bool is_one_to_one(const std::vector<Spline_patch<3>>& parts)
+using Interval_vector = std::array<CGAL::Interval_nt<false>, 3>;   // within an Upward_rounding_guard
+
+template <class NT>
+std::array<NT, 3> cross_product(const std::array<NT, 3>& a, const std::array<NT, 3>& b)
 {
-  const auto tangents = [&](int axis) {
-    Vector_bounds<3> result = parts.front().tangents(axis);
-    for (std::size_t k = 1; k < parts.size(); ++k) {
-      const Vector_bounds<3> other = parts[k].tangents(axis);
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The convex cones that hold the derivatives of a surface by its parameters, by vectors that generate them.
+using Tangent_cones = std::array<std::vector<Interval_vector>, 2>;
+
+/*
+Whether det(n, a, b) > 0 for some n and all a and b in the two cones of the derivatives on a rectangle. Then S(P) = S(Q) for no P != Q in it: the difference is (u - s) a + (v - t) b, where a and b are means of derivatives,
+which lie in the same cones.
+*/
+inline bool is_one_to_one(const Tangent_cones& tangents)
+{
+  const Upward_rounding_guard rounding;
+  std::array<Interval_vector, 2> sums;
+  for (const std::size_t axis : {0, 1}) {
+    sums[axis] = {0, 0, 0};
+    for (const Interval_vector& vector : tangents[axis])
       for (std::size_t i = 0; i < 3; ++i)
-        result[i] = hull(result[i], other[i]);
-    }
-    return result;
-  };
-  const auto middle = [](const Vector_bounds<3>& x) { return Exact_vector<3>{middle_of({x[0].lower, x[0].upper}), middle_of({x[1].lower, x[1].upper}), middle_of({x[2].lower, x[2].upper})}; };
-  const Vector_bounds<3> x = tangents(0), y = tangents(1);
-  const Exact_vector<3> n = exact_cross(middle(x), middle(y));
-  const Vector_bounds<3> normal{Rational_interval(n[0]), Rational_interval(n[1]), Rational_interval(n[2])}, across{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  return dot(normal, across).lower > 0;
+        sums[axis][i] += CGAL::to_double(vector[i]);
+  }
+  Interval_vector n = cross_product(sums[0], sums[1]);
+  for (CGAL::Interval_nt<false>& x : n)
+    x = CGAL::to_double(x);
+  return std::all_of(tangents[0].begin(), tangents[0].end(), [&](const Interval_vector& a) {
+    const Interval_vector across = cross_product(n, a);
+    return std::all_of(tangents[1].begin(), tangents[1].end(), [&](const Interval_vector& b) { return (across[0] * b[0] + across[1] * b[1] + across[2] * b[2]).inf() > 0; });
+  });
 }
 
 /*
 The unordered pairs P != Q of points of the domain of a surface with S(P) = S(Q) lie in products of two cells each, all within polynomial pieces: of one cell with itself, of two that are apart, and of two near each other
 for which nothing is known. All other pairs are proved to have different points:
 
-Two cells with a common edge or corner are halved until they are apart, or the surface is one-to-one on the rectangle around both of them; so on both sides of a break only pairs of distant points are left. The ends of a
+Two cells with a common edge or corner are divided until they are apart, or the surface is one-to-one on the rectangle around both of them; so on both sides of a break only pairs of distant points are left. The ends of a
 closed parameter are an edge in common as well. In cells that have the same pole, an edge that is one point, all pairs on it have the same point; what is near it, they have in common too.
 */
 class Cell_pairs
@@ -55,14 +71,20 @@ class Cell_pairs
 
   static constexpr int most_halvings = 10;
 
-  Spline_patch<3> m_patch;
   std::array<std::optional<Exact_rational>, 2> m_periods;
+  std::array<std::vector<Parameter_range>, 2> m_ranges;
+  struct Piece
+  {
+    Spline_patch<3> patch;
+    std::array<Vector_of_functions<3>, 2> tangents;   // of any lengths
+  };
+  std::vector<Piece> m_pieces;   // over the products of ranges
   std::vector<std::pair<int, Exact_rational>> m_poles;   // axis and parameter
   std::vector<Parameter_box> m_apart, m_undecided;
   std::vector<Spline_patch<3>> m_single;
 
 public:
-  explicit Cell_pairs(const Spline_patch<3>& patch) : m_patch(patch)
+  explicit Cell_pairs(const Spline_patch<3>& patch)
   {
     for (const int axis : {0, 1}) {
       const auto [begin, end] = patch.domain(axis);
@@ -71,11 +93,15 @@ public:
       for (const Exact_rational& value : {begin, end})
         if (patch.part(axis, {value, value}).is_one_point())
           m_poles.emplace_back(axis, value);
+      m_ranges[axis] = ranges(patch.breaks(axis), m_periods[axis].has_value());
     }
     std::vector<Cell> cells;
-    for (const Parameter_range& u : ranges(0))
-      for (const Parameter_range& v : ranges(1))
+    for (const Parameter_range& u : m_ranges[0])
+      for (const Parameter_range& v : m_ranges[1]) {
         cells.push_back({u, v});
+        const Spline_patch<3> piece = patch.part({u, v});
+        m_pieces.push_back({piece, {tangent_direction(piece, 0), tangent_direction(piece, 1)}});
+      }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       add(cells[i], most_halvings);
       for (std::size_t j = i + 1; j < cells.size(); ++j)
@@ -93,25 +119,22 @@ public:
   const std::vector<Parameter_box>& undecided() const { return m_undecided; }
 
 private:
-  // The pieces along an axis. Of a closed one at least three, so that two of them are neighbours in one way only; the places of further cuts are simple, but none where a symmetric surface has something special.
-  std::vector<Parameter_range> ranges(int axis) const
+  // The pieces along an axis. Of a closed one at least three, so that two of them are neighbours in one way only.
+  static std::vector<Parameter_range> ranges(const std::vector<Exact_rational>& breaks, bool is_closed)
   {
     std::vector<Parameter_range> result;
-    const std::vector<Exact_rational> breaks = m_patch.breaks(axis);
     for (std::size_t i = 1; i < breaks.size(); ++i)
       result.emplace_back(breaks[i - 1], breaks[i]);
-    while (m_periods[axis] && result.size() < 3) {
-      const Parameter_range last = result.back();
-      const Exact_rational cut(last.first + (last.second - last.first) * Exact_rational(3, 7));
-      result.back().second = cut;
-      result.emplace_back(cut, last.second);
+    while (is_closed && result.size() < 3) {
+      const Exact_rational cut = cut_of(result.back()), end = std::exchange(result.back().second, cut);
+      result.emplace_back(cut, end);
     }
     return result;
   }
 
   void add(const Cell& cell, int halvings)
   {
-    if (is_one_to_one({part(cell)}))
+    if (is_one_to_one(tangents(cell)))
       return;
     const std::optional<int> axis = axis_of_common_pole(cell, cell);
     if (!axis)
@@ -128,12 +151,10 @@ private:
 
   void add(const Cell& first, const Cell& second, const Shift& shift, int halvings)
   {
-    if (have_distant_points(first, second))
+    if (have_distant_points(first, second) || is_one_to_one(tangents(hull_of(first, moved(second, shift)))))
       return;
     if (!are_neighbours(first, second, shift))
       m_apart.push_back(product(first, second));
-    else if (is_one_to_one(rectangle_around(first, moved(second, shift))))
-      return;
     else if (halvings == 0)
       m_undecided.push_back(product(first, second));
     else
@@ -187,27 +208,50 @@ private:
     return result;
   }
 
-  Spline_patch<3> part(const Cell& cell) const { return m_patch.part({cell[0], cell[1]}); }
-
-  // The parts of the surface over the rectangle around two cells, which may go on across seams.
-  std::vector<Spline_patch<3>> rectangle_around(const Cell& a, const Cell& b) const
+  // The part of the surface over a cell.
+  Spline_patch<3> part(const Cell& cell) const
   {
-    std::array<std::vector<Parameter_range>, 2> pieces;
-    for (const int axis : {0, 1}) {
-      const Parameter_range whole{(std::min)(a[axis].first, b[axis].first), (std::max)(a[axis].second, b[axis].second)}, domain = m_patch.domain(axis);
-      std::vector<Exact_rational> ways_back{0};
-      if (m_periods[axis])
-        ways_back.insert(ways_back.end(), {*m_periods[axis], Exact_rational(-*m_periods[axis])});
-      for (const Exact_rational& back : ways_back) {
-        const Parameter_range own = moved(whole, back), piece{(std::max)(own.first, domain.first), (std::min)(own.second, domain.second)};
-        if (piece.first < piece.second)
-          pieces[axis].push_back(piece);
+    const std::size_t i = pieces_within(cell[0], 0).front().first, j = pieces_within(cell[1], 1).front().first;
+    return piece(i, j).patch.part({cell[0], cell[1]});
+  }
+
+  // The derivatives over a rectangle, which may go on across breaks and seams: coefficients of polynomials generate cones that hold their values.
+  Tangent_cones tangents(const Cell& rectangle) const
+  {
+    Tangent_cones result;
+    for (const auto& [i, u] : pieces_within(rectangle[0], 0))
+      for (const auto& [j, v] : pieces_within(rectangle[1], 1))
+        for (const std::size_t axis : {0, 1}) {
+          const Vector_of_functions<3> tangent = part_of<3>(part_of<3>(piece(i, j).tangents[axis], 0, u), 1, v);
+          for (std::size_t k = 0; k < tangent[0].coefficients().size(); ++k)
+            result[axis].push_back({Number_traits<Exact_rational>::enclosure(tangent[0].coefficients()[k]), Number_traits<Exact_rational>::enclosure(tangent[1].coefficients()[k]), Number_traits<Exact_rational>::enclosure(tangent[2].coefficients()[k])});
+        }
+    return result;
+  }
+
+  const Piece& piece(std::size_t i, std::size_t j) const { return m_pieces[i * m_ranges[1].size() + j]; }
+
+  // What a range has of the pieces along an axis: their indices, and parts of them.
+  std::vector<std::pair<std::size_t, Parameter_range>> pieces_within(const Parameter_range& range, int axis) const
+  {
+    std::vector<Exact_rational> ways_back{0};
+    if (m_periods[axis])
+      ways_back.insert(ways_back.end(), {*m_periods[axis], Exact_rational(-*m_periods[axis])});
+    std::vector<std::pair<std::size_t, Parameter_range>> result;
+    for (const Exact_rational& back : ways_back)
+      for (std::size_t i = 0; i < m_ranges[axis].size(); ++i) {
+        const Parameter_range own = moved(range, back), &piece = m_ranges[axis][i], common{(std::max)(own.first, piece.first), (std::min)(own.second, piece.second)};
+        if (common.first < common.second)
+          result.emplace_back(i, common);
       }
-    }
-    std::vector<Spline_patch<3>> result;
-    for (const Parameter_range& u : pieces[0])
-      for (const Parameter_range& v : pieces[1])
-        result.push_back(part({u, v}));
+    return result;
+  }
+
+  static Cell hull_of(const Cell& a, const Cell& b)
+  {
+    Cell result;
+    for (const int axis : {0, 1})
+      result[axis] = {(std::min)(a[axis].first, b[axis].first), (std::max)(a[axis].second, b[axis].second)};
     return result;
   }
 
@@ -219,10 +263,13 @@ private:
   static Parameter_range moved(const Parameter_range& range, const Exact_rational& shift) { return {Exact_rational(range.first + shift), Exact_rational(range.second + shift)}; }
   static Cell moved(const Cell& cell, const Shift& shift) { return {moved(cell[0], shift[0]), moved(cell[1], shift[1])}; }
 
+  // Not in the middle, where symmetric surfaces have something special.
+  static Exact_rational cut_of(const Parameter_range& range) { return Exact_rational(range.first + (range.second - range.first) * Exact_rational(15, 32)); }
+
   static std::array<Cell, 2> halves(const Cell& cell, int axis)
   {
     std::array<Cell, 2> result{cell, cell};
-    result[0][axis].second = result[1][axis].first = middle_of(cell[axis]);
+    result[0][axis].second = result[1][axis].first = cut_of(cell[axis]);
     return result;
   }
 };

@@ -44,14 +44,17 @@ inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& pat
   return continuous_parts(planes, true);
 }
 
+// A positive multiple of the derivative of a polynomial piece of a surface by a parameter.
+inline Vector_of_functions<3> tangent_direction(const Spline_patch<3>& cell, int axis)
+{
+  const Vector_function<3> slope = derivative_of_numerators(cell, axis);
+  return cell.is_rational() ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions() : slope.functions();
+}
+
 // The directions of the derivative of a surface by a parameter.
 inline std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis)
 {
-  const Cell_functions<3> directions(patch, [axis](const Spline_patch<3>& cell) {
-    const Vector_function<3> slope = derivative_of_numerators(cell, axis);
-    return cell.is_rational() ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions() : slope.functions();
-  });
-  return continuous_parts(directions, true);
+  return continuous_parts(Cell_functions<3>(patch, [axis](const Spline_patch<3>& cell) { return tangent_direction(cell, axis); }), true);
 }
 
 // A part of a surface with continuous fields of normals and tangents, of any length.
