@@ -12,16 +12,16 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 
-// A hill and a hollow in a plate that is bent a little.
+// A dome with a hill and a hollow.
 SC::Bspline_surface_3<K> landscape()
 {
-  const double heights[7][7] = {{0, 1, 2, 2, 2, 1, 0},   {0, 1, 2, 2, 2, 1, 0},    {0, 1, 7, 3, -2, 1, 0}, {0, 1, 3, 2, 0, 1, 0},
-                                {0, 1, 2, 1, 3, 1, 0}, {0, 1, 2, 2, 2, 1, 0}, {0, 1, 2, 2, 2, 1, 0}};
   std::vector<K::Point_3> points;
-  for (int i = 0; i < 7; ++i)
-    for (int j = 0; j < 7; ++j)
-      points.emplace_back(i, j, heights[i][j] / 2);
-  const std::vector<double> knots{0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4};
+  for (int i = 0; i < 9; ++i)
+    for (int j = 0; j < 9; ++j) {
+      const double dome = -0.09 * ((i - 4) * (i - 4) + (j - 4) * (j - 4)), hill = i == 2 && j == 2 ? 2.5 : 0, hollow = i == 5 && j == 5 ? -2.5 : 0;
+      points.emplace_back(i, j, dome + hill + hollow);
+    }
+  const std::vector<double> knots{0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6, 6, 6};
   return {{3, 3}, knots, knots, points};
 }
 

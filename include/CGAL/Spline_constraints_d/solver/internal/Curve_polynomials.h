@@ -94,11 +94,11 @@ public:
   // A singular point in a box with rational coordinates, if one is found. First in doubles: with more digits only where these come so close to a singular point that they cannot tell more. Adds the work.
   std::optional<Exact_point> rational_singular_point_in(const Exact_ranges& box, std::size_t& work) const
   {
-    constexpr std::size_t digits_in_doubles = 32;   // times as fast, about
+    constexpr std::size_t work_of_digits = 8;   // of a step with many digits, compared with one in doubles; more in fact
     const auto is_singular = [this](const Exact_point& point) { return is_singular_at(point); };
     Gauss_newton_search<double> quick(m_rounded, box, is_singular);
     Search_result found = quick();
-    work += quick.steps() * m_work_of_step / digits_in_doubles;
+    work += quick.steps() * m_work_of_step / work_of_digits;
     if (!found.is_unclear)
       return found.point;
     Gauss_newton_search<Exact_rational> slow(m_exact, box, is_singular);

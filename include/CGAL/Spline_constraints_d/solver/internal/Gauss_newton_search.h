@@ -123,6 +123,7 @@ class Gauss_newton_search
   using Point = std::vector<NT>;
 
   static constexpr bool is_rounded = std::same_as<NT, double>;
+  static constexpr double noise = 0x1p-40;   // well above rounding errors, relative to the sizes of terms
 
   const Polynomials_with_gradients<NT>& m_polynomials;
   const Exact_ranges& m_box;
@@ -204,7 +205,6 @@ private:
   // The least squares solution of the linearized equations.
   Step next_step()
   {
-    constexpr double noise = 0x1p-26;   // of what was computed in steps with halves of the digits
     ++m_steps;
     Step result;
     const std::size_t n = m_place.size(), length = n + 1;
@@ -276,12 +276,11 @@ private:
   bool may_be_zero(const Exact_point& point) const
   {
     if constexpr (is_rounded) {
-      constexpr double noise = 0x1p-40;
       Point rounded;
       for (const Exact_rational& x : point)
         rounded.push_back(to_nearest_double(x));
       const auto values = m_polynomials(rounded);
-      return std::all_of(values.begin(), values.end(), [](const auto& value) { return !(std::abs(value.value) > noise * value.size); });
+      return std::all_of(values.begin(), values.end(), [](const auto& x) { return !(std::abs(x.value) > noise * x.size); });
     }
     return true;
   }
