@@ -69,15 +69,16 @@ class Cell_pairs
   using Cell = std::array<Parameter_range, 2>;
   using Shift = std::array<Exact_rational, 2>;   // of the second cell, by periods of closed parameters, that brings it next to the first one
 
-  static constexpr int most_halvings = 10;
-
-  std::array<std::optional<Exact_rational>, 2> m_periods;
-  std::array<std::vector<Parameter_range>, 2> m_ranges;
   struct Piece
   {
     Spline_patch<3> patch;
     std::array<Vector_of_functions<3>, 2> tangents;   // of any lengths
   };
+
+  static constexpr int most_halvings = 10;
+
+  std::array<std::optional<Exact_rational>, 2> m_periods;
+  std::array<std::vector<Parameter_range>, 2> m_ranges;
   std::vector<Piece> m_pieces;   // over the products of ranges
   std::vector<std::pair<int, Exact_rational>> m_poles;   // axis and parameter
   std::vector<Parameter_box> m_apart, m_undecided;
