@@ -75,7 +75,7 @@ class Cell_pairs
     std::array<Vector_of_functions<3>, 2> tangents;   // of any lengths
   };
 
-  static constexpr int most_halvings = 10;
+  static constexpr int most_halvings = 16;   // of both axes; across a pole, where the other axis does not count, one counts for two
 
   std::array<std::optional<Exact_rational>, 2> m_periods;
   std::array<std::vector<Parameter_range>, 2> m_ranges;
@@ -140,13 +140,13 @@ private:
     const std::optional<int> axis = axis_of_common_pole(cell, cell);
     if (!axis)
       m_single.push_back(part(cell));
-    else if (halvings == 0)
+    else if (halvings <= 0)
       m_undecided.push_back(product(cell, cell));
     else {
       const auto [a, b] = halves(cell, *axis);
-      add(a, halvings - 1);
-      add(b, halvings - 1);
-      add(a, b, {}, halvings - 1);
+      add(a, halvings - 2);
+      add(b, halvings - 2);
+      add(a, b, {}, halvings - 2);
     }
   }
 
@@ -156,7 +156,7 @@ private:
       return;
     if (!are_neighbours(first, second, shift))
       m_apart.push_back(product(first, second));
-    else if (halvings == 0)
+    else if (halvings <= 0)
       m_undecided.push_back(product(first, second));
     else
       add_halves(first, second, shift, halvings);
@@ -164,13 +164,14 @@ private:
 
   void add_halves(const Cell& first, const Cell& second, const Shift& shift, int halvings)
   {
-    const int axis = axis_of_common_pole(first, second).value_or(halvings % 2);
+    const std::optional<int> pole = axis_of_common_pole(first, second);
+    const int axis = pole.value_or(halvings % 2), left = halvings - (pole ? 2 : 1);
     for (const Cell& half : halves(first, axis))
       if (are_neighbours(half, second, shift))
         for (const Cell& other : halves(second, axis))
-          add(half, other, shift, halvings - 1);
+          add(half, other, shift, left);
       else
-        add(half, second, shift, halvings - 1);
+        add(half, second, shift, left);
   }
 
   // Whether two cells have common points by nature.
