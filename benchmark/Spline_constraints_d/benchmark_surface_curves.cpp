@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves on one surface: silhouettes, plane sections, boundaries of what a tool reaches, silhouettes of sweeps.
+// Curves on one surface: silhouettes, parabolic lines, plane sections, boundaries of what a tool reaches, silhouettes of sweeps, self-intersections.
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/accessibility.h>
+#include <CGAL/Spline_constraints_d/operations/parabolic_lines.h>
 #include <CGAL/Spline_constraints_d/operations/plane_sections.h>
+#include <CGAL/Spline_constraints_d/operations/self_intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
 
@@ -62,6 +64,8 @@ const auto torus_silhouettes = [] { return SC::silhouettes(torus, Vector(1, 2, 3
 const auto torus_seen_from_near = [] { return SC::silhouettes(torus, Point(10, 3, 2)); };
 const auto bicubic_silhouettes = [] { return SC::silhouettes(landscape(3, 1, 3), Vector(1, 2, 0.5)); };
 const auto many_pieces_silhouettes = [] { return SC::silhouettes(landscape(3, 10, 3), Vector(1, 2, 0.5)); };
+const auto bicubic_parabolic_lines = [] { return SC::parabolic_lines(landscape(3, 1, 3)); };
+const auto many_pieces_parabolic_lines = [] { return SC::parabolic_lines(landscape(3, 10, 3)); };
 const auto many_pieces_section = [] { return SC::plane_sections(landscape(3, 10, 3), Vector(0, 0, 1), {1.5}).front(); };
 const auto sphere_along_normals = [] { return SC::accessibility_boundaries(landscape(2, 1, 2), K::Sphere_3(Point(1, 0.25, 4), 1)); };
 const auto surface_along_normals = [] { return SC::accessibility_boundaries(landscape(2, 1, 2), ball); };
@@ -71,14 +75,43 @@ const auto swept_sphere = [] {
   return SC::sweep_silhouettes(SC::sphere_surface<K>(Point(0, 0, 0), 1), {path, {}}, {Point(1, -2, 9)}).front();
 };
 
+// (v (u^2 + v^2 - 1), u, v^2) over [-3/2,3/2]^2.
+Surface pocket()
+{
+  const double w = 1.5, squares[] = {w * w, -w * w, w * w}, v[] = {-w, -w / 3, w / 3, w}, v_squares[] = {w * w, -w * w / 3, -w * w / 3, w * w}, v_cubes[] = {-w * w * w, w * w * w, -w * w * w, w * w * w};
+  std::vector<Point> points;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j)
+      points.emplace_back(v_cubes[j] + (squares[i] - 1) * v[j], (i - 1) * w, v_squares[j]);
+  return Surface({2, 3}, {-w, -w, -w, w, w, w}, {-w, -w, -w, -w, w, w, w, w}, points);
+}
+
+// A profile with a loop goes around an axis.
+Surface turned_loop()
+{
+  const SC::Bspline_curve_3<K> profile(3, {-1.5, -1.5, -1.5, -1.5, 1.5, 1.5, 1.5, 1.5}, {Point(3.25, 0, -1.875), Point(0.25, 0, 3.875), Point(0.25, 0, -3.875), Point(3.25, 0, 1.875)});
+  return SC::surface_of_revolution<K>(profile, Point(0, 0, 0), Vector(0, 0, 1));
+}
+
+const auto pocket_with_itself = [] { return SC::self_intersection_curves(pocket()); };
+const auto pocket_of_four_pieces_with_itself = [] { return SC::self_intersection_curves(pocket().with_knot(0, 0.25).with_knot(1, 0.5)); };
+const auto turned_loop_with_itself = [] { return SC::self_intersection_curves(turned_loop()); };
+const auto torus_with_itself = [] { return SC::self_intersection_curves(torus); };
+
 } // namespace
 
 BENCHMARK_CAPTURE(curves, torus_silhouettes, torus_silhouettes)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, torus_seen_from_near, torus_seen_from_near)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, bicubic_silhouettes, bicubic_silhouettes)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, many_pieces_silhouettes, many_pieces_silhouettes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, bicubic_parabolic_lines, bicubic_parabolic_lines)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, many_pieces_parabolic_lines, many_pieces_parabolic_lines)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, many_pieces_section, many_pieces_section)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, sphere_along_normals, sphere_along_normals)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, surface_along_normals, surface_along_normals)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, surface_along_direction, surface_along_direction)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, swept_sphere, swept_sphere)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, pocket_with_itself, pocket_with_itself)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, pocket_of_four_pieces_with_itself, pocket_of_four_pieces_with_itself)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, turned_loop_with_itself, turned_loop_with_itself)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, torus_with_itself, torus_with_itself)->Unit(benchmark::kMillisecond);

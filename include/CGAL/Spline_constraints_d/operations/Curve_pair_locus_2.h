@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
@@ -146,22 +147,12 @@ public:
         if (const auto [part, vertex] = vertex_at_end(m_curves[c], side); !m_curves[c].is_closed && m_parts[part].parts.place && vertex->is_on_boundary && !vertex->is_on_inequality)
           if (const auto place = m_parts[part].parts.place(vertex->box))
             ends.push_back({{c, side}, *place});
-    const auto partners = [&](const auto& end) {
-      std::vector<std::size_t> result;
-      for (std::size_t i = 0; i < ends.size(); ++i)
-        if (!(ends[i].first == end.first) && ends[i].second.may_be(end.second))
-          result.push_back(i);
-      return result;
-    };
-    std::vector<std::array<std::optional<internal::Curve_end>, 2>> next(m_curves.size());
-    for (const auto& end : ends)
-      if (const std::vector<std::size_t> found = partners(end); found.size() == 1 && partners(ends[found[0]]).size() == 1)
-        next[end.first.curve][end.first.side] = ends[found[0]].first;
-      else {
-        m_undecided.push_back({{vertex_at_end(m_curves[end.first.curve], end.first.side).second->box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
-        m_summary.is_complete = false;
-      }
-    join(next);
+    const internal::Matched_ends matched = internal::matched_ends(ends, m_curves.size(), [](const internal::Joint_place& a, const internal::Joint_place& b) { return a.may_be(b); });
+    for (const internal::Curve_end& end : matched.unmatched) {
+      m_undecided.push_back({{vertex_at_end(m_curves[end.curve], end.side).second->box}, {}, Undecided_reason::DOMAIN_BOUNDARY});
+      m_summary.is_complete = false;
+    }
+    m_curves = internal::joined_curves(m_curves, matched);
   }
 
   void add_work(const Summary& work)
@@ -251,28 +242,6 @@ private:
     const Curve_solution_set_d& set = m_parts[arc.part].solutions;
     const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
     return {arc.part, &set.vertices()[(side == 0) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]]};
-  }
-
-  // Joins curves in their ends.
-  void join(const std::vector<std::array<std::optional<internal::Curve_end>, 2>>& next)
-  {
-    std::vector<bool> is_closed;
-    for (const Curve& curve : m_curves)
-      is_closed.push_back(curve.is_closed);
-    std::vector<Curve> joined;
-    for (const Intersection_curve& chain : internal::chains_of_curves(is_closed, [&](const internal::Curve_end& end) { return next[end.curve][end.side]; })) {
-      joined.push_back({{}, chain.is_closed});
-      for (const auto& [index, is_reversed] : chain.arcs) {
-        std::vector<Arc> arcs = m_curves[index].arcs;
-        if (is_reversed) {
-          std::reverse(arcs.begin(), arcs.end());
-          for (Arc& arc : arcs)
-            arc.is_reversed = !arc.is_reversed;
-        }
-        joined.back().arcs.insert(joined.back().arcs.end(), arcs.begin(), arcs.end());
-      }
-    }
-    m_curves = std::move(joined);
   }
 };
 

@@ -17,11 +17,14 @@ A part of an intersection curve without seams inside of it.
 */
 struct Intersection_arc
 {
-  //! the index of the curve in `Surface_intersection::solutions()`.
+  //! the index of the curve in `Surface_intersection::solutions(part)`.
   std::size_t index;
 
   //! whether it is passed from its end to its begin.
   bool is_reversed;
+
+  //! the index of the solutions, where an operation solves several systems.
+  std::size_t part = 0;
 };
 
 /*!

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection_point.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Joined_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
@@ -59,34 +59,41 @@ public:
   using Sample = Intersection_sample<Kernel>;
 
 private:
-  internal::Surface_equations m_surfaces;
-  Curve_solution_set_d m_solutions;
+  std::vector<internal::Solved_part> m_parts;
   std::vector<Intersection_curve> m_curves;
   std::vector<Special_point> m_points, m_singular_points, m_undecided;
-  std::vector<std::size_t> m_pinch_points;   // vertices
+  std::vector<internal::Part_vertex> m_pinch_points, m_unmatched;
   Summary m_summary;
 
 public:
 #ifndef DOXYGEN_RUNNING
   Surface_intersection(internal::Surface_equations surfaces, Curve_solution_set_d solutions)
-    : m_surfaces(std::move(surfaces)), m_solutions(std::move(solutions)), m_summary(m_solutions.summary())
+    : Surface_intersection(std::vector<internal::Solved_part>{{std::move(surfaces), std::move(solutions)}})
+  {}
+
+  // Of one part at least. If that has no system, the surfaces have nothing in common.
+  explicit Surface_intersection(std::vector<internal::Solved_part> parts) : m_parts(std::move(parts))
   {
-    if (!m_surfaces.has_system())
+    if (!m_parts.front().surfaces.has_system())
       return;
-    const internal::Seam_joints joints(m_surfaces.system(), m_solutions, m_surfaces.closed_unknowns(), {}, m_surfaces.exchange());
-    m_curves = joints.curves();
-    m_summary.is_complete = m_summary.is_complete && joints.unmatched().empty();
-    for (const std::size_t i : joints.points())
-      m_points.push_back(special_point(Intersection_kind::END_POINT, m_solutions.vertices()[i].box));
-    for (const std::size_t i : m_solutions.singular_points())
-      m_singular_points.push_back(special_point(Intersection_kind::TANGENT, m_solutions.vertices()[i].box));
-    m_pinch_points = joints.equal_pairs();
-    for (const std::size_t i : m_pinch_points)
-      m_singular_points.push_back(special_point(Intersection_kind::TANGENT, m_solutions.vertices()[i].box));
-    for (const Undecided_region& region : m_solutions.undecided())
-      m_undecided.push_back(special_point(Intersection_kind::UNDECIDED, hull(region.boxes)));
-    for (const std::size_t i : joints.unmatched())
-      m_undecided.push_back(special_point(Intersection_kind::UNDECIDED, m_solutions.vertices()[i].box));
+    const internal::Joined_parts joined(m_parts);
+    m_curves = joined.curves();
+    m_pinch_points = joined.equal_pairs();
+    m_unmatched = joined.unmatched();
+    const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind, const std::vector<internal::Part_vertex>& vertices) {
+      for (const internal::Part_vertex& point : vertices)
+        list.push_back(special_point(kind, point));
+    };
+    add(m_points, Intersection_kind::END_POINT, joined.points());
+    add(m_singular_points, Intersection_kind::TANGENT, joined.singular_points());
+    add(m_singular_points, Intersection_kind::TANGENT, m_pinch_points);
+    for (const internal::Solved_part& part : m_parts) {
+      for (const Undecided_region& region : part.solutions.undecided())
+        m_undecided.push_back(Special_point(part.surfaces, Intersection_kind::UNDECIDED, hull(region.boxes)));
+      m_summary += part.solutions.summary();
+    }
+    add(m_undecided, Intersection_kind::UNDECIDED, m_unmatched);
+    m_summary.is_complete = m_summary.is_complete && m_unmatched.empty();
   }
 #endif
 
@@ -105,7 +112,7 @@ public:
   //! points on an edge of a surface without others near them.
   const std::vector<Special_point>& points() const { return m_points; }
 
-  //! the regions where nothing is proved, and the ends on a seam that were not matched with one on the other side: the ranges hold their parameters.
+  //! the regions where nothing is proved, and the ends on a seam or break that were not matched with one on the other side: the ranges hold their parameters.
   const std::vector<Special_point>& undecided() const { return m_undecided; }
 
   //! whether the curves, points and singular points are all that the surfaces have in common, and the curves are connected as they say, by proof.
@@ -115,17 +122,18 @@ public:
   Special_point end(const Intersection_curve& curve, int side) const
   {
     const Intersection_arc& arc = side == 0 || curve.is_closed ? curve.arcs.front() : curve.arcs.back();
-    const std::vector<Curve_piece>& pieces = m_solutions.curves()[arc.index].pieces;
-    const std::size_t i = (side == 0 || curve.is_closed) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1];
-    const Curve_vertex& vertex = m_solutions.vertices()[i];
-    const auto has_it = [i](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), i) != region.vertices.end(); };
-    const bool is_pinch_point = std::find(m_pinch_points.begin(), m_pinch_points.end(), i) != m_pinch_points.end();
-    const bool is_undecided = vertex.is_on_inequality || std::any_of(m_solutions.undecided().begin(), m_solutions.undecided().end(), has_it);
-    return special_point(curve.is_closed                        ? Intersection_kind::TRANSVERSAL
-                         : vertex.is_singular || is_pinch_point ? Intersection_kind::TANGENT
-                         : is_undecided                         ? Intersection_kind::UNDECIDED
-                                                                : Intersection_kind::END_POINT,
-                         vertex.box);
+    const Curve_solution_set_d& set = m_parts[arc.part].solutions;
+    const std::vector<Curve_piece>& pieces = set.curves()[arc.index].pieces;
+    const internal::Part_vertex end{arc.part, (side == 0 || curve.is_closed) != arc.is_reversed ? pieces.front().ends[0] : pieces.back().ends[1]};
+    const Curve_vertex& vertex = set.vertices()[end.vertex];
+    const auto has_it = [&](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end(); };
+    const auto is_one_of = [&](const std::vector<internal::Part_vertex>& points) { return std::find(points.begin(), points.end(), end) != points.end(); };
+    const bool is_undecided = vertex.is_on_inequality || is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
+    return special_point(curve.is_closed                                   ? Intersection_kind::TRANSVERSAL
+                         : vertex.is_singular || is_one_of(m_pinch_points) ? Intersection_kind::TANGENT
+                         : is_undecided                                    ? Intersection_kind::UNDECIDED
+                                                                           : Intersection_kind::END_POINT,
+                         end);
   }
 
   /*!
@@ -144,10 +152,11 @@ public:
       using internal::distance_from_middle;
       return distance_from_middle(from.image, sample.image, to.image) <= error && distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
     };
-    const auto point = [&](const std::vector<double>& unknowns) { return m_surfaces.point(unknowns); };
+    const auto& [surfaces, set] = m_parts[arc.part];
+    const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
     std::vector<Sample> result;
-    for (const auto& [unknowns, image] : internal::curve_samples(m_surfaces.system(), m_solutions, m_solutions.curves()[arc.index], point, is_chord))
-      result.push_back({internal::kernel_object<Kernel, Point>(image), {parameters(0, unknowns), parameters(1, unknowns)}});
+    for (const auto& [unknowns, image] : internal::curve_samples(surfaces.system(), set, set.curves()[arc.index], point, is_chord))
+      result.push_back({internal::kernel_object<Kernel, Point>(image), {parameters(surfaces, 0, unknowns), parameters(surfaces, 1, unknowns)}});
     if (arc.is_reversed)
       std::reverse(result.begin(), result.end());
     return result;
@@ -173,21 +182,28 @@ public:
     return result;
   }
 
-  //! the curves as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates; then, if they are needed, the coordinates in space.
-  const Curve_solution_set_d& solutions() const { return m_solutions; }
+  //! number of systems that were solved: one, but for self-intersections of a surface with several pieces.
+  std::size_t number_of_parts() const { return m_parts.size(); }
+
+  //! the curves of a part as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates; then, if they are needed, the coordinates in space.
+  const Curve_solution_set_d& solutions(std::size_t part = 0) const { return m_parts[part].solutions; }
 
   //! the equations that were solved, for `curve_differentials()` and `fit_spline()`. \pre The bounds of the surfaces meet, as they do if there is a curve.
-  const Constraint_system_d& system() const
+  const Constraint_system_d& system(std::size_t part = 0) const
   {
-    CGAL_precondition(m_surfaces.has_system());
-    return m_surfaces.system();
+    CGAL_precondition(m_parts[part].surfaces.has_system());
+    return m_parts[part].surfaces.system();
   }
 
   //! the work.
   const Summary& summary() const { return m_summary; }
 
 private:
-  Special_point special_point(Intersection_kind kind, const Curve_vertex::Exact_box& box) const { return Special_point(m_surfaces, kind, box); }
+  Special_point special_point(Intersection_kind kind, const internal::Part_vertex& point) const
+  {
+    const auto& [surfaces, solutions] = m_parts[point.part];
+    return Special_point(surfaces, kind, solutions.vertices()[point.vertex].box);
+  }
 
   static Curve_vertex::Exact_box hull(const std::vector<Curve_vertex::Exact_box>& boxes)
   {
@@ -198,11 +214,11 @@ private:
     return result;
   }
 
-  std::array<double, 2> parameters(std::size_t surface, const std::vector<double>& unknowns) const
+  static std::array<double, 2> parameters(const internal::Surface_equations& surfaces, std::size_t surface, const std::vector<double>& unknowns)
   {
-    if (!m_surfaces.is_parametric(surface))
+    if (!surfaces.is_parametric(surface))
       return {};
-    return {m_surfaces.parameter(surface, 0)(unknowns), m_surfaces.parameter(surface, 1)(unknowns)};
+    return {surfaces.parameter(surface, 0)(unknowns), surfaces.parameter(surface, 1)(unknowns)};
   }
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SELF_INTERSECTION_CURVES_H
 
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Cell_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Equal_point_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_zeros.h>
@@ -12,6 +13,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -23,32 +25,44 @@ Both surfaces of the result are the given one. Each pair comes once, in one of i
 
 With \f$(u-s,\,v-t) = h\,d\f$ and a direction \f$d\f$, \f$S(u,v) - S(s,t) = h\,(d_0 A + d_1 B)\f$ with polynomials \f$A\f$ and \f$B\f$, by exact division. So the diagonal \f$(u,v) = (s,t)\f$ satisfies what is left only where \f$S_u\f$ and \f$S_v\f$ are
 dependent. Where this is a single point inside of the surface, it is a *pinch point* as that of the Whitney umbrella, a certified end of a curve: one of the `Surface_intersection::singular_points()`, and \link Surface_intersection::end() the end\endlink is `TANGENT`.
-A surface is one-to-one, and nothing is solved, if bounds of its derivatives prove that all \f$S_u \times S_v\f$ lie in a half-space.
 
-The unknowns of `Surface_intersection::solutions()` are \f$u, v, s, t\f$ and a parameter in \f$[-1,1]\f$ of the direction. Curves end on the edges of the surface. Where three sheets meet in a point, three curves pass it, each of two sheets.
+A surface of several pieces is cut at its breaks, and a closed one anywhere. Pairs within one piece are found as above. Pairs in two pieces with a common edge or corner, also across the seam of a closed surface, are taken apart into pairs of smaller cells, until
+two cells have no common points of the domain, where the plain equations \f$S(u,v) = S(s,t)\f$ are solved, or the surface is proved to be one-to-one on the rectangle around both: if \f$\det(n, a, b) > 0\f$ for some \f$n\f$ and all \f$a\f$ and \f$b\f$ in the convex cones that the
+coefficients of \f$S_u\f$ and \f$S_v\f$ generate. The same test, and boxes around the pieces, leave out pairs before anything is solved. Curves are joined where one of their points passes a break, a seam or another cut: all solutions there are known on both sides, so if
+there is just one on the other side that may be the same point, it is. Such a point comes once.
 
-Undecided are: points where two sheets touch; cuspidal edges, pieces that the surface covers twice, edges that are one point (poles), the common edge of a closed surface, and pinch points on an edge.
+The unknowns of `Surface_intersection::solutions()` of a part are \f$u, v, s, t\f$ and, of a piece with itself, a parameter in \f$[-1,1]\f$ of the direction. Curves end on the edges of the surface. Where three sheets meet in a point, three curves pass it, each of two sheets.
+
+Undecided are: points where two sheets touch; cuspidal edges, pieces that the surface covers twice, curves along a break, what is near an edge that is one point (a pole), and pinch points on an edge or a break.
 
 \tparam Surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
-\param surface the surface, of one piece: without breaks inside.
-\param options those of `solve_curves()`.
-\throws Invalid_input when the surface has several pieces, a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
+\param surface the surface.
+\param options those of `solve_curves()`; limits hold for each two cells.
+\throws Invalid_input when a coordinate is not finite, a weight is not proved to have one sign, or an option makes no sense.
 
-Complexity: that of `solve_curves()` with four equations in five unknowns. Source: \cgalCite{egk-ssi-09} removes the diagonal from the equations in another way.
+Complexity: that of `solve_curves()` with four equations in five unknowns for each piece, and with three in four for each two cells that are left; \f$O(n^2)\f$ pairs of \f$n\f$ pieces are compared by their boxes. Source: \cgalCite{egk-ssi-09} removes the diagonal from the equations in another way.
 */
 template <internal::Surface_operand Surface>
 Surface_intersection<internal::Operand_kernel<Surface>> self_intersection_curves(const Surface& surface, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();
   const internal::Spline_patch<3> patch = internal::Intersection_operand<Surface>::patch(surface);
-  if (patch.breaks(0).size() > 2 || patch.breaks(1).size() > 2)
-    throw Invalid_input("self_intersection_curves: the surface has several pieces");
   const internal::Surface_shape shape(patch);
-  if (internal::is_one_to_one(patch))
-    return {internal::Surface_equations(shape, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
-  Constraint_system_d system = internal::Equal_point_pairs(patch).system();
-  Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
-  return {internal::Surface_equations(shape, std::move(system)), std::move(solutions)};
+  const internal::Cell_pairs pairs(patch);
+  std::vector<internal::Solved_part> parts;
+  const auto add = [&](Constraint_system_d system) {
+    Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
+    parts.push_back({internal::Surface_equations(shape, std::move(system)), std::move(solutions)});
+  };
+  for (const internal::Spline_patch<3>& cell : pairs.single_cells())
+    add(internal::Equal_point_pairs(cell).system());
+  for (const internal::Parameter_box& cells : pairs.cells_apart())
+    add(internal::equal_points_of(patch, cells));
+  for (const internal::Parameter_box& cells : pairs.undecided())
+    parts.push_back({internal::Surface_equations(shape, Constraint_system_d(cells)), internal::undecided_curves(cells, Undecided_reason::TOLERANCE)});
+  if (parts.empty())
+    parts.push_back({internal::Surface_equations(shape, std::nullopt), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())});
+  return Surface_intersection<internal::Operand_kernel<Surface>>(std::move(parts));
 }
 
 } // namespace Spline_constraints

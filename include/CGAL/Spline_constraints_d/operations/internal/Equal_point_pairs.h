@@ -5,7 +5,6 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_EQUAL_POINT_PAIRS_H
 
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
@@ -19,20 +18,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// Whether n x S_u x S_v is positive for some n and all derivatives within their bounds. Then S(P) = S(Q) for no P != Q: the difference is (u - s) x + (v - t) y, where x and y are means of the derivatives, which have the same bounds.
-inline bool is_one_to_one(const Spline_patch<3>& surface)
-{
-  const auto cross = [](const auto& a, const auto& b) { return Vector_bounds<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; };
-  const std::array<Vector_bounds<3>, 2> tangents{surface.tangents(0), surface.tangents(1)};
-  std::array<Exact_vector<3>, 2> middle;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    for (std::size_t i = 0; i < 3; ++i)
-      middle[axis][i] = middle_of({tangents[axis][i].lower, tangents[axis][i].upper});
-  const Exact_vector<3> n = exact_cross(middle[0], middle[1]);
-  const Vector_bounds<3> normal{Rational_interval(n[0]), Rational_interval(n[1]), Rational_interval(n[2])};
-  return dot(normal, cross(tangents[0], tangents[1])).lower > 0;
-}
 
 /*
 The equations of the unordered pairs of points P = (u,v), Q = (s,t) of a surface of one polynomial piece with S(P) = S(Q), P != Q.
@@ -92,6 +77,20 @@ private:
     return {quotient(f - between, 0), quotient(between, 1)};
   }
 };
+
+// The same of ordered pairs in two cells without common points, u, v, s and t in these ranges.
+inline Constraint_system_d equal_points_of(const Spline_patch<3>& patch, const Parameter_box& cells)
+{
+  Constraint_system_d result(cells);
+  const std::vector<Unknown> unknowns = unknowns_in(cells);
+  const auto point = [&](std::size_t first) {
+    return Parametric_vector<3>(patch.part({cells[first], cells[first + 1]}))(std::span(unknowns).subspan(first, 2));
+  };
+  const Vector_expression<3> difference = point(0) - point(2);
+  for (std::size_t i = 0; i < 3; ++i)
+    result.add(difference[i] == 0);
+  return result;
+}
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -29,7 +29,7 @@ The equations of the common points of two surfaces, in as few unknowns as there 
 - two parametric ones: A(u,v) = B(s,t); two height fields over the same coordinates: the difference of the heights, in the parameters of the first one;
 - two implicit ones, and one that ends at its box within a parametric one: the coordinates are unknowns, behind the parameters.
 
-Or those of the unordered pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs: both surfaces are this one.
+Or those of the pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs.h: both surfaces are this one.
 
 The parameters of a surface are affine functions of one unknown each.
 */
@@ -39,7 +39,7 @@ class Surface_equations
 
   std::array<Surface_shape, 2> m_surfaces;
   std::array<std::array<Affine_function, 2>, 2> m_parameters;   // of parametric surfaces
-  bool m_has_coordinates = false, m_has_unordered_pairs = false;
+  bool m_has_coordinates = false, m_is_self_intersection = false;
   Parameter_box m_domain;
   std::optional<Constraint_system_d> m_system;   // none: no common points
 
@@ -59,8 +59,8 @@ public:
       make_system(heights);
   }
 
-  // The equations of a surface with itself: the parameters of both points come first, then, if the domain has it, a direction in which they lie, whose two ends are the same. None: it does not meet itself.
-  Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs) : m_surfaces{surface, surface}, m_has_unordered_pairs(true), m_system(std::move(pairs)) { number_unknowns(); }
+  // The equations of a surface with itself, on a part of its domain: the parameters of both points come first. Where pairs have no order, there is the direction in which they lie, too, whose two ends are the same. None: it does not meet itself.
+  Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs) : m_surfaces{surface, surface}, m_is_self_intersection(true), m_system(std::move(pairs)) { number_unknowns(); }
 
   // Whether some boxes around the surfaces do not meet. There is no system then.
   bool has_system() const { return m_system.has_value(); }
@@ -72,28 +72,26 @@ public:
   const Affine_function& parameter(std::size_t surface, int axis) const { return m_parameters[surface][axis]; }
   Parameter_range parameter_domain(std::size_t surface, int axis) const { return m_surfaces[surface].patch->domain(axis); }
 
+  bool is_closed(std::size_t surface, int axis) const { return is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis); }
+
   // The unknowns whose two ends are a seam.
   std::vector<std::size_t> closed_unknowns() const
   {
     std::vector<std::size_t> result;
+    if (m_is_self_intersection)
+      return directions_of_pairs();
     for (std::size_t surface = 0; surface < 2; ++surface)
       for (int axis = 0; axis < 2; ++axis)
-        if (is_parametric(surface) && m_surfaces[surface].patch->is_closed(axis))
+        if (is_closed(surface, axis))
           result.push_back(m_parameters[surface][axis].unknown);
-    for (const std::size_t direction : directions_of_pairs())
-      result.push_back(direction);
     return result;
   }
 
   // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.
   std::vector<std::size_t> exchange() const
   {
-    std::vector<std::size_t> result;
-    if (m_has_unordered_pairs)
-      result = {2, 3, 0, 1};
-    for (const std::size_t direction : directions_of_pairs())
-      result.push_back(direction);
-    return result;
+    const std::vector<std::size_t> directions = directions_of_pairs();
+    return directions.empty() ? directions : std::vector<std::size_t>{2, 3, 0, 1, directions.front()};
   }
 
   // The point in space where the unknowns have these values, exactly or in doubles.
@@ -110,10 +108,8 @@ public:
 private:
   std::vector<std::size_t> directions_of_pairs() const
   {
-    std::vector<std::size_t> result;
-    for (int i = 4; m_has_unordered_pairs && i < m_system->dimension(); ++i)
-      result.push_back(static_cast<std::size_t>(i));
-    return result;
+    constexpr int direction = 4;
+    return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction} : std::vector<std::size_t>{};
   }
 
   bool are_apart() const

@@ -25,33 +25,33 @@ inline Vector_function<3> derivative_of_numerators(const Spline_patch<3>& patch,
   return Vector_function<3>(result);
 }
 
-/*
-The tangent planes n0 x + n1 y + n2 z + n3 = 0 of a surface X/w: n is the vector at right angles to (X, w) and to its two derivatives, which is a positive multiple of the normal and without denominators. It is divided by
-factors that vanish along edges of the cells, as at a pole of a sphere.
-*/
-inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch)
+// The tangent planes n0 x + n1 y + n2 z + n3 = 0 of a polynomial piece X/w of a surface: n is the vector at right angles to (X, w) and to its two derivatives, which is a positive multiple of the normal and without denominators.
+inline std::array<Exact_function, 4> tangent_plane(const Spline_patch<3>& cell)
 {
-  const Cell_functions<4> planes(patch, [](const Spline_patch<3>& cell) {
-    const Vector_function<3> x(cell.numerators()), along_u = derivative_of_numerators(cell, 0), along_v = derivative_of_numerators(cell, 1), across = cross(along_u, along_v);
-    Vector_function<3> normal = across;
-    if (cell.is_rational()) {
-      const Scalar_function w = cell.weight(), w_u = cell.weight().derivative(0), w_v = cell.weight().derivative(1);
-      normal = across * w + cross(along_v, x) * w_u + cross(x, along_u) * w_v;
-    }
-    const Vector_of_functions<3> n = normal.functions();
-    return std::array<Exact_function, 4>{n[0], n[1], n[2], -dot(x, across).function()};
-  });
-  return continuous_parts(planes, true);
+  const Vector_function<3> x(cell.numerators()), along_u = derivative_of_numerators(cell, 0), along_v = derivative_of_numerators(cell, 1), across = cross(along_u, along_v);
+  Vector_function<3> normal = across;
+  if (cell.is_rational()) {
+    const Scalar_function w = cell.weight(), w_u = cell.weight().derivative(0), w_v = cell.weight().derivative(1);
+    normal = across * w + cross(along_v, x) * w_u + cross(x, along_u) * w_v;
+  }
+  const Vector_of_functions<3> n = normal.functions();
+  return {n[0], n[1], n[2], -dot(x, across).function()};
+}
+
+// Those of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
+inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch) { return continuous_parts(Cell_functions<4>(patch, tangent_plane), true); }
+
+// A positive multiple of the derivative of a polynomial piece of a surface by a parameter.
+inline Vector_of_functions<3> tangent_direction(const Spline_patch<3>& cell, int axis)
+{
+  const Vector_function<3> slope = derivative_of_numerators(cell, axis);
+  return cell.is_rational() ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions() : slope.functions();
 }
 
 // The directions of the derivative of a surface by a parameter.
 inline std::vector<Continuous_part<3>> tangent_directions(const Spline_patch<3>& patch, int axis)
 {
-  const Cell_functions<3> directions(patch, [axis](const Spline_patch<3>& cell) {
-    const Vector_function<3> slope = derivative_of_numerators(cell, axis);
-    return cell.is_rational() ? (slope * cell.weight() - Vector_function<3>(cell.numerators()) * cell.weight().derivative(axis)).functions() : slope.functions();
-  });
-  return continuous_parts(directions, true);
+  return continuous_parts(Cell_functions<3>(patch, [axis](const Spline_patch<3>& cell) { return tangent_direction(cell, axis); }), true);
 }
 
 // A part of a surface with continuous fields of normals and tangents, of any length.

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -47,6 +49,58 @@ std::vector<Intersection_curve> chains_of_curves(const std::vector<bool>& is_clo
       for (const int side : {0, 1})
         if (const Curve_end begin{c, side}; !is_used[c] && (!must_end || (!is_closed[c] && !next(begin))))
           result.push_back(chain(begin));
+  return result;
+}
+
+// For each end of some curves (by curve and side) the one that it is the same point as; and those of the given ends that do not have just one such partner.
+struct Matched_ends
+{
+  std::vector<std::array<std::optional<Curve_end>, 2>> next;
+  std::vector<Curve_end> unmatched;
+};
+
+// Matches ends, each with a place, by `may_be(place, other)`. The place where a curve goes on is known to be among the given ones, so if there is just one that may be it, and the other way round, they are the same point.
+template <class Place, class May_be>
+Matched_ends matched_ends(const std::vector<std::pair<Curve_end, Place>>& ends, std::size_t number_of_curves, const May_be& may_be)
+{
+  std::vector<std::vector<std::size_t>> partners(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (may_be(ends[i].second, ends[j].second)) {
+        partners[i].push_back(j);
+        partners[j].push_back(i);
+      }
+  Matched_ends result{std::vector<std::array<std::optional<Curve_end>, 2>>(number_of_curves), {}};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Curve_end& end = ends[i].first;
+    if (partners[i].size() == 1 && partners[partners[i][0]].size() == 1)
+      result.next[end.curve][static_cast<std::size_t>(end.side)] = ends[partners[i][0]].first;
+    else
+      result.unmatched.push_back(end);
+  }
+  return result;
+}
+
+// Curves of arcs, joined where one goes on in another one.
+template <class Curve>
+std::vector<Curve> joined_curves(const std::vector<Curve>& curves, const Matched_ends& ends)
+{
+  std::vector<bool> is_closed;
+  for (const Curve& curve : curves)
+    is_closed.push_back(curve.is_closed);
+  std::vector<Curve> result;
+  for (const Intersection_curve& chain : chains_of_curves(is_closed, [&](const Curve_end& end) { return ends.next[end.curve][static_cast<std::size_t>(end.side)]; })) {
+    result.push_back({{}, chain.is_closed});
+    for (const Intersection_arc& link : chain.arcs) {
+      auto arcs = curves[link.index].arcs;
+      if (link.is_reversed) {
+        std::reverse(arcs.begin(), arcs.end());
+        for (auto& arc : arcs)
+          arc.is_reversed = !arc.is_reversed;
+      }
+      result.back().arcs.insert(result.back().arcs.end(), arcs.begin(), arcs.end());
+    }
+  }
   return result;
 }
 

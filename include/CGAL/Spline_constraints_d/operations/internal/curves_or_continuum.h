@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -19,6 +20,14 @@ inline bool is_zero(const Spline_function& function)
   return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
 }
 
+// A box where nothing is proved.
+inline Curve_solution_set_d undecided_curves(Curve_vertex::Exact_box box, Undecided_reason reason)
+{
+  Summary summary;
+  summary.is_complete = false;
+  return Curve_solution_set_d({}, {}, {}, {}, {{{std::move(box)}, {}, reason}}, summary);
+}
+
 // The curves of solutions of a system; everything is undecided where an equation is always satisfied.
 inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
 {
@@ -27,9 +36,7 @@ inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& syste
   Curve_vertex::Exact_box domain;
   for (int j = 0; j < system.dimension(); ++j)
     domain.push_back(system.domain(j));
-  Summary summary;
-  summary.is_complete = false;
-  return Curve_solution_set_d({}, {}, {}, {}, {{{domain}, {}, Undecided_reason::CONTINUUM}}, summary);
+  return undecided_curves(std::move(domain), Undecided_reason::CONTINUUM);
 }
 
 } // namespace internal

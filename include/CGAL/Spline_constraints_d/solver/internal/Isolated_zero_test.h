@@ -32,8 +32,7 @@ monomials of some degree are in the ideal up to terms of higher degree (Nakayama
 */
 class Isolated_zero_test
 {
-  using Row = std::vector<Exact_rational>;   // coefficients
-  using Element = std::pair<std::size_t, Row>;   // the column of the power
+  using Row = std::vector<std::pair<std::size_t, Exact_rational>>;   // columns and coefficients that are not zero, in order
 
   static constexpr std::size_t most_monomials = 130;
 
@@ -41,7 +40,7 @@ class Isolated_zero_test
   std::vector<std::vector<int>> m_exponents;   // of the columns, by degree
   std::map<std::vector<int>, std::size_t> m_column;
   std::vector<std::optional<Row>> m_rows;      // per column of its first entry
-  std::vector<std::vector<Element>> m_elements;   // per unknown
+  std::vector<std::vector<Row>> m_elements;    // per unknown: they begin with powers of it
 
 public:
   Isolated_zero_test(std::span<const Power_polynomial> polynomials, std::size_t dimension) : m_dimension(dimension), m_elements(dimension)
@@ -73,8 +72,8 @@ public:
   bool is_alone_in(const std::vector<Exact_rational>& distances) const
   {
     const std::vector<Exact_rational> sizes = monomial_sizes(distances);
-    return std::all_of(m_elements.begin(), m_elements.end(), [&](const std::vector<Element>& elements) {
-      return std::any_of(elements.begin(), elements.end(), [&](const Element& element) { return is_dominant(element, sizes); });
+    return std::all_of(m_elements.begin(), m_elements.end(), [&](const std::vector<Row>& elements) {
+      return std::any_of(elements.begin(), elements.end(), [&](const Row& element) { return is_dominant(element, sizes); });
     });
   }
 
@@ -99,45 +98,57 @@ private:
         return;
       if (degree(shift) < order - lowest)
         continue;
-      Row row(m_exponents.size(), Exact_rational(0));
+      Row row;
       for (const auto& [monomial, coefficient] : polynomial.terms()) {
         std::vector<int> exponents = shift;
         for (const auto& [v, e] : monomial.powers)
           exponents[v] += e;
-        row[m_column.at(exponents)] = coefficient;
+        row.emplace_back(m_column.at(exponents), coefficient);
       }
+      std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       insert(std::move(row));
     }
   }
 
   void insert(Row row)
   {
-    for (std::size_t c = 0; c < row.size(); ++c)
-      if (!CGAL::is_zero(row[c])) {
-        if (!m_rows[c]) {
-          m_rows[c] = std::move(row);
-          return;
-        }
-        eliminate(c, row);
+    while (!row.empty()) {
+      std::optional<Row>& own = m_rows[row.front().first];
+      if (!own) {
+        own = std::move(row);
+        return;
       }
+      row = eliminated(row, 0, *own);
+    }
   }
 
-  void eliminate(std::size_t c, Row& row) const
+  // A row minus the multiple of another one, which begins with the column of one of its entries, that has not this entry.
+  static Row eliminated(const Row& row, std::size_t entry, const Row& other)
   {
-    const Row& other = *m_rows[c];
-    const Exact_rational factor = row[c] / other[c];
-    for (std::size_t k = c; k < row.size(); ++k)
-      if (!CGAL::is_zero(other[k]))
-        row[k] -= factor * other[k];
+    const Exact_rational factor = row[entry].second / other.front().second;
+    Row result(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(entry));
+    std::size_t i = entry + 1, k = 1;
+    while (i < row.size() || k < other.size()) {
+      const bool takes_own = k == other.size() || (i < row.size() && row[i].first <= other[k].first), takes_other = i == row.size() || (k < other.size() && other[k].first <= row[i].first);
+      const std::size_t column = takes_own ? row[i].first : other[k].first;
+      Exact_rational coefficient = takes_own ? row[i++].second : Exact_rational(0);
+      if (takes_other)
+        coefficient -= factor * other[k++].second;
+      if (!CGAL::is_zero(coefficient))
+        result.emplace_back(column, std::move(coefficient));
+    }
+    return result;
   }
 
   // The row that begins with an entry, with those up to some degree eliminated that others begin with.
   Row reduced_row(std::size_t c, int largest_degree) const
   {
     Row row = *m_rows[c];
-    for (std::size_t k = c + 1; k < row.size() && degree(m_exponents[k]) <= largest_degree; ++k)
-      if (!CGAL::is_zero(row[k]) && m_rows[k])
-        eliminate(k, row);
+    for (std::size_t i = 1; i < row.size() && degree(m_exponents[row[i].first]) <= largest_degree;)
+      if (const std::optional<Row>& other = m_rows[row[i].first])
+        row = eliminated(row, i, *other);
+      else
+        ++i;
     return row;
   }
 
@@ -149,9 +160,7 @@ private:
       for (int k = 1; k <= order && !has_power; ++k)
         if (const std::size_t c = column_of_power(j, k); m_rows[c]) {
           const Row row = reduced_row(c, k);
-          has_power = true;
-          for (std::size_t i = c + 1; i < row.size() && degree(m_exponents[i]) == k; ++i)
-            has_power = has_power && CGAL::is_zero(row[i]);
+          has_power = row.size() == 1 || degree(m_exponents[row[1].first]) > k;
         }
       if (!has_power)
         return false;
@@ -164,7 +173,7 @@ private:
     for (std::size_t j = 0; j < m_dimension; ++j)
       for (int k = 1; k <= order; ++k)
         if (const std::size_t c = column_of_power(j, k); m_rows[c])
-          m_elements[j].emplace_back(c, reduced_row(c, order));
+          m_elements[j].push_back(reduced_row(c, order));
   }
 
   std::vector<Exact_rational> monomial_sizes(const std::vector<Exact_rational>& distances) const
@@ -179,14 +188,13 @@ private:
     return result;
   }
 
-  static bool is_dominant(const Element& element, const std::vector<Exact_rational>& sizes)
+  static bool is_dominant(const Row& element, const std::vector<Exact_rational>& sizes)
   {
-    const auto& [c, row] = element;
+    const auto size = [&](const auto& entry) { return Exact_rational(CGAL::abs(entry.second) * sizes[entry.first]); };
     Exact_rational others(0);
-    for (std::size_t k = c + 1; k < row.size(); ++k)
-      if (!CGAL::is_zero(row[k]))
-        others += CGAL::abs(row[k]) * sizes[k];
-    return others < Exact_rational(CGAL::abs(row[c]) * sizes[c]);
+    for (auto entry = element.begin() + 1; entry != element.end(); ++entry)
+      others += size(*entry);
+    return others < size(element.front());
   }
 };
 
