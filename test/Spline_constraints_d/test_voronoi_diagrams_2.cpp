@@ -3,12 +3,11 @@
 
 // Voronoi diagrams: of points and of a triangle in closed form, of points as CGAL finds them; of curves, every disk on every edge is empty and touches both sites, the numbers of vertices, edges and
 // regions satisfy Euler's formula, and motions do not change them.
+#include "voronoi_checks.h"
+
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <gtest/gtest.h>
 
@@ -19,86 +18,6 @@
 #include <random>
 #include <string>
 #include <vector>
-
-namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using P = K::Point_2;
-using Curve = SC::Bspline_curve_2<K>;
-using Curves = std::vector<Curve>;
-using Diagram = SC::Voronoi_diagram_2<K>;
-
-Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
-
-double distance(const P& p, const P& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
-
-// The number of connected components, with all vertices at infinity in one.
-std::size_t components(const Diagram& diagram)
-{
-  std::vector<std::size_t> parent(diagram.vertices().size() + 1);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::size_t v) {
-    while (parent[v] != v)
-      v = parent[v];
-    return v;
-  };
-  for (std::size_t v = 0; v < diagram.vertices().size(); ++v)
-    if (diagram.vertices()[v].is_at_infinity)
-      parent[root(v)] = root(diagram.vertices().size());
-  for (const auto& edge : diagram.edges())
-    parent[root(edge.vertices[0])] = root(edge.vertices[1]);
-  std::size_t result = 0;
-  for (std::size_t v = 0; v < parent.size(); ++v)
-    result += parent[v] == v;
-  return result;
-}
-
-// V - E + F = 1 + C on the sphere, where infinity is one vertex.
-void expect_euler(const Diagram& diagram)
-{
-  const auto far = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity; });
-  const bool has_far = far > 0;
-  const std::size_t vertices = diagram.vertices().size() - static_cast<std::size_t>(far) + has_far, separate = components(diagram) - !has_far;
-  EXPECT_EQ(vertices + diagram.number_of_regions(), diagram.edges().size() + 1 + separate);
-}
-
-struct Counts
-{
-  std::size_t tips = 0, passing = 0, branching = 0, far = 0, edges = 0;
-  bool operator==(const Counts&) const = default;
-};
-
-Counts counts(const Diagram& diagram)
-{
-  Counts result;
-  for (const auto& vertex : diagram.vertices())
-    ++(vertex.is_at_infinity ? result.far : vertex.edges.size() <= 1 ? result.tips : vertex.edges.size() == 2 ? result.passing : result.branching);
-  result.edges = diagram.edges().size();
-  return result;
-}
-
-// Every sample has its radius as the distance from both sites, and nothing is nearer than that: not even one of many points on all curves.
-void expect_empty_disks(const Diagram& diagram, const Curves& curves)
-{
-  std::vector<P> points;
-  for (const auto& site : diagram.sites()) {
-    points.push_back(site.point);
-    for (int i = 1; i < 64 && !site.is_point; ++i)
-      points.push_back(curves[site.curve](site.parameters[0] + (site.parameters[1] - site.parameters[0]) * i / 64));
-  }
-  std::size_t samples = 0;
-  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
-    for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
-      ++samples;
-      for (std::size_t side = 0; side < 2; ++side) {
-        const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        const P foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
-        EXPECT_NEAR(distance(sample.point, foot), sample.radius, 1e-8 * (1 + sample.radius)) << "edge " << e << " side " << side;
-      }
-      for (const P& p : points)
-        EXPECT_GT(distance(sample.point, p), sample.radius - 1e-8 * (1 + sample.radius)) << "edge " << e;
-    }
-  EXPECT_GT(samples, diagram.edges().size());
-}
 
 TEST(VoronoiDiagrams, ThreePoints)
 {

@@ -202,7 +202,7 @@ private:
   {
     const auto middle = [](const internal::Interval& x) { return x.inf() / 2 + x.sup() / 2; };
     const internal::Front& front = m_diagram->front(part);
-    const internal::Disk_diagram::Disk disk = m_diagram->disk(part, u);
+    const internal::Disk_diagram::Disk disk = m_diagram->estimated_disk(part, u);
     const internal::Front_jet x = m_graph->front_jet(front, {u, u});
     const internal::Disk_contact& contact = m_diagram->stretch(part).contact;
     const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);

@@ -7,6 +7,9 @@
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_slope.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 
 #include <algorithm>
 #include <array>
@@ -24,25 +25,6 @@ namespace internal {
 // What happens between two stretches of a front.
 enum class Disk_event { NONE, CROSSING, JOINT, TIP, UNRESOLVED };
 
-// What the maximal disks of a stretch touch besides the front: the inner points of an arc, a vertex, the whole circle that the front lies on, or, where disks are half-planes, nothing.
-struct Disk_contact
-{
-  enum class Kind { ARC, VERTEX, CIRCLE, NOTHING };
-
-  Kind kind = Kind::NOTHING;
-  std::size_t index = 0;
-  int side = 0;   // of contacts on the arc of the front itself: 1 after the parameter of the front, -1 before
-
-  bool operator==(const Disk_contact&) const = default;
-};
-
-// A contact, and where it is on an arc: the curvature has one maximum in that range.
-struct Located_contact
-{
-  Disk_contact contact;
-  Range range{};
-};
-
 // A point that disks may touch, as a function of the parameter of the front.
 struct Disk_branch : Located_contact
 {
@@ -56,53 +38,6 @@ struct Disk_branch : Located_contact
   };
   std::optional<Move> move{};
 };
-
-// The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
-struct Attained_curvature
-{
-  Interval curvature;
-  Range range{};
-};
-
-// The only maximum of the curvature in a range of an arc: Newton's method for k_v = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
-inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
-{
-  constexpr int most_steps = 60;
-  const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
-  const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
-  Range bracket = located.range;
-  double v = bracket.middle();
-  for (int step = 0; step < most_steps; ++step) {
-    const Curvature_bounds k = at({v, v});
-    const double slope = middle(k.dv), newton = v - slope / middle(k.dvv);
-    if (std::isnan(slope))
-      break;
-    (slope > 0 ? bracket.begin : bracket.end) = v;
-    const double next = bracket.begin < newton && newton < bracket.end && middle(k.dvv) < 0 ? newton : bracket.middle();
-    if (!(std::abs(next - v) > 0x1p-52))
-      break;
-    v = next;
-  }
-  for (double width = 0x1p-44; width < 1; width *= 16) {
-    const Range range{(std::max)(v - width, located.range.begin), (std::min)(v + width, located.range.end)};
-    if (!(at({range.begin, range.begin}).dv.inf() > 0 && at({range.end, range.end}).dv.sup() < 0))
-      continue;
-    const Curvature_bounds k = at(range);
-    return {common_part(k.value, at({v, v}).value + k.dv * (range.interval() - Interval(v))), range};
-  }
-  return {any_number(), {v, v}};
-}
-
-// The curvature of the disk that touches a front in one point, and a contact.
-inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
-{
-  switch (located.contact.kind) {
-  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
-  case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
-  case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
-  default: return {Interval(0)};
-  }
-}
 
 /*
 The branches of contacts over a part of a front that are left when candidates have been pruned.
@@ -120,6 +55,7 @@ class Disk_contacts
     Curvature_bounds bounds{};
     bool is_known = false;   // to have one maximum inside
     bool is_too_low = false;
+    double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
     bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
     bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
@@ -298,13 +234,16 @@ private:
     return false;
   }
 
-  // Whether more may be known in an end of an arc, at a distance from an end of the front: near that one, and where both join smoothly.
+  // Whether more may be known in an end of an arc, at a distance from an end of the front: near that one, where both join smoothly, and on the circle of the front, in tangents of it.
   bool is_near(const Range& distance, bool front_end, const Arc_end& end) const
   {
     const Arc_end own{m_front.object, front_end};
     if (distance.begin <= most_gap * distance.width())
       return m_front.is_fan || own != end;
-    return !m_front.is_fan && m_graph.continuation(own) && m_graph.continuation(own)->end == end;
+    if (m_front.is_fan || own == end)
+      return false;
+    const auto& continuation = m_graph.continuation(own);
+    return (continuation && continuation->end == end) || (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of(end)));
   }
 
   bool has_known_slopes(Cluster& cluster) const
@@ -314,6 +253,7 @@ private:
       if (pattern == Sign_pattern::UNKNOWN || pattern == Sign_pattern::ZERO)
         return false;
       cluster.is_too_low = pattern == Sign_pattern::NONE;
+      cluster.least = m_least;
       cluster.ends[end] = pattern == Sign_pattern::NEGATIVE ? End_state::MAXIMUM : pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : End_state::NOT_A_MAXIMUM;
       cluster.ends[!end] = pattern == Sign_pattern::POSITIVE ? End_state::MAXIMUM : End_state::NOT_A_MAXIMUM;
       return true;
@@ -439,7 +379,7 @@ private:
   Located_contact contact_with(const Cluster& cluster) const
   {
     const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
-    return {{Disk_contact::Kind::ARC, cluster.arc, !is_own ? 0 : cluster.range.begin >= m_part.range.end ? 1 : cluster.range.end <= m_part.range.begin ? -1 : 0}, cluster.range};
+    return {{Disk_contact::Kind::ARC, cluster.arc, !is_own ? 0 : cluster.range.begin >= m_part.range.end ? 1 : cluster.range.end <= m_part.range.begin ? -1 : 0}, cluster.range, cluster.least};
   }
 
   void add_inner_maximum(const Cluster& cluster)
@@ -460,7 +400,7 @@ private:
     if (is_own && branch.contact.side == 0) {
       m_are_known = m_are_known && !branch.move;
       const int sign = certain_sign(at(m_part, cluster.arc, m_part.range).dv);
-      const Located_contact after{{Disk_contact::Kind::ARC, cluster.arc, 1}, cluster.range}, before{{Disk_contact::Kind::ARC, cluster.arc, -1}, cluster.range};
+      const Located_contact after{{Disk_contact::Kind::ARC, cluster.arc, 1}, cluster.range, cluster.least}, before{{Disk_contact::Kind::ARC, cluster.arc, -1}, cluster.range, cluster.least};
       if (sign != 0)
         branch.contact.side = sign;
       else

@@ -106,7 +106,41 @@ public:
     return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
   }
 
+  // The same up to rounding, also near the ends of arcs; where arcs join smoothly, the disk has the greater one of their curvatures. Not finite in corners.
+  Disk estimated_disk(const Part& part, double u) const
+  {
+    const Disk result = disk(part, u);
+    const Disk_contact& contact = stretch(part).contact;
+    if (contact.kind != Disk_contact::Kind::ARC)
+      return result;
+    const Front_part point = m_curvature.part(part.front, {u, u});
+    const double v = result.other_range.middle();
+    const auto width = [](const Interval& k) { return k.sup() - k.inf(); };
+    Interval k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
+    if (!(width(k) < width(result.curvature)))
+      k = result.curvature;
+    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && !(k.inf() > joint->inf()))
+      k = *joint;
+    const Interval_pair &x = point.jet.point, &n = point.jet.normal;
+    return {{x[0] + n[0] / k, x[1] + n[1] / k}, k, result.other_range};
+  }
+
 private:
+  // Of the front and of another arc, in the point where they join.
+  std::optional<Interval> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
+  {
+    const Front& front = m_graph.fronts()[point.front];
+    const Arc_end own{front.object, point.range.begin == 1};
+    if (front.is_fan || point.range.begin != own.parameter() || !m_graph.continuation(own) || m_graph.continuation(own)->end.arc != other)
+      return std::nullopt;
+    const auto curvature = [&](const Arc_end& end) {
+      const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
+      return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
+    };
+    const Interval a = curvature(own), b = curvature(m_graph.continuation(own)->end);
+    return a.inf() > b.inf() ? a : b;
+  }
+
   // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.
   template <class Visit>
   bool traverse(std::size_t first, std::vector<char>& is_visited, const Visit& visit) const

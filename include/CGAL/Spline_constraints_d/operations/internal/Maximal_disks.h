@@ -24,12 +24,11 @@ struct Disk_stretch
   Disk_contact contact;
   Range range;
   std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
-  std::vector<std::pair<Range, Range>> boxes{};   // ranges of the front in order, and for contacts in arcs those of the parameter there
+  std::vector<std::pair<Range, Located_contact>> boxes{};   // ranges of the front in order, and where the contact is
 
-  Located_contact located(double u) const
+  const Located_contact& located(double u) const
   {
-    const auto box = std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; });
-    return {contact, box->second};
+    return std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; })->second;
   }
 };
 
@@ -111,6 +110,11 @@ private:
     if (!outer)
       return false;
     const auto& [before, after] = *outer;
+    for (const bool end : {false, true})
+      if ((end ? part.range.end == 1 : part.range.begin == 0) && std::all_of(branches.begin() + 1, branches.end(), [&](const Disk_branch& branch) { return contacts.are_equal_at_end(branches[0], branch, end); })) {
+        append(end ? before : after, part.range);
+        return true;
+      }
     const auto sign_at = [&](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
@@ -171,7 +175,7 @@ private:
     const Range zero = located(range, sign_at, at_begin);
     append(before, {range.begin, zero.begin});
     m_stretches.back().events[1] = event;
-    m_stretches.push_back({after.contact, {zero.end, range.end}, {event, Disk_event::NONE}, {{{zero.end, range.end}, after.range}}});
+    m_stretches.push_back({after.contact, {zero.end, range.end}, {event, Disk_event::NONE}, {{{zero.end, range.end}, after}}});
     return true;
   }
 
@@ -196,14 +200,14 @@ private:
   {
     if (!m_stretches.empty() && !m_unresolved && m_stretches.back().contact == located.contact) {
       m_stretches.back().range.end = range.end;
-      m_stretches.back().boxes.emplace_back(range, located.range);
+      m_stretches.back().boxes.emplace_back(range, located);
       return;
     }
     // Two neighbouring ranges have different contacts only if both have the same curvature between them, which is decided nowhere.
     const Disk_event event = m_unresolved || !m_stretches.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
     if (!m_stretches.empty())
       m_stretches.back().events[1] = event;
-    m_stretches.push_back({located.contact, range, {event, Disk_event::NONE}, {{range, located.range}}});
+    m_stretches.push_back({located.contact, range, {event, Disk_event::NONE}, {{range, located}}});
     m_unresolved.reset();
   }
 

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_LOCATED_CONTACT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_LOCATED_CONTACT_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// What the maximal disks of a stretch touch besides the front: the inner points of an arc, a vertex, the whole circle that the front lies on, or, where disks are half-planes, nothing.
+struct Disk_contact
+{
+  enum class Kind { ARC, VERTEX, CIRCLE, NOTHING };
+
+  Kind kind = Kind::NOTHING;
+  std::size_t index = 0;
+  int side = 0;   // of contacts on the arc of the front itself: 1 after the parameter of the front, -1 before
+
+  bool operator==(const Disk_contact&) const = default;
+};
+
+// A contact, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some number.
+struct Located_contact
+{
+  Disk_contact contact;
+  Range range{};
+  double least = -std::numeric_limits<double>::infinity();
+};
+
+// The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
+struct Attained_curvature
+{
+  Interval curvature;
+  Range range{};
+};
+
+// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
+template <class Curvature_at>
+Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
+{
+  constexpr int most_steps = 60;
+  const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
+  Range bracket = range;
+  double v = bracket.middle();
+  for (int step = 0; step < most_steps; ++step) {
+    const Curvature_bounds k = at({v, v});
+    const double slope = middle(k.dv), newton = v - slope / middle(k.dvv);
+    if (std::isnan(slope))
+      break;
+    (slope > 0 ? bracket.begin : bracket.end) = v;
+    const double next = bracket.begin < newton && newton < bracket.end && middle(k.dvv) < 0 ? newton : bracket.middle();
+    if (!(std::abs(next - v) > 0x1p-52))
+      break;
+    v = next;
+  }
+  for (double width = 0x1p-44; width < 1; width *= 16) {
+    const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
+    if (!(at({around.begin, around.begin}).dv.inf() > 0 && at({around.end, around.end}).dv.sup() < 0))
+      continue;
+    const Curvature_bounds k = at(around);
+    return {common_part(k.value, at({v, v}).value + k.dv * (around.interval() - Interval(v))), around};
+  }
+  return {any_number(), {v, v}};
+}
+
+// Where there may be others that are too low: the part of a range around the best of some points, which are dense near its ends.
+template <class Curvature_at>
+Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
+{
+  constexpr int steps = 50;
+  std::vector<double> points{range.begin};
+  for (int i = steps; i > 0; --i)
+    points.push_back(range.begin + range.width() * std::exp2(-i));
+  for (int i = 2; i <= steps; ++i)
+    points.push_back(range.end - range.width() * std::exp2(-i));
+  points.push_back(range.end);
+  std::size_t best = 1;
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    if (const double k = at({points[i], points[i]}).value.inf(); k > greatest) {
+      greatest = k;
+      best = i;
+    }
+  return {points[best - 1], points[best + 1]};
+}
+
+// The only maximum of the curvature in a range of an arc that is not too low.
+inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
+  const auto is_high = [&](const Attained_curvature& k) { return k.curvature.inf() >= located.least; };
+  Attained_curvature result = maximal_curvature(at, located.range);
+  if (!is_high(result))
+    result = maximal_curvature(at, range_of_greatest_curvature(at, located.range));
+  if (!is_high(result))
+    result.curvature = any_number();
+  return result;
+}
+
+// The curvature of the disk that touches a front in one point, and a contact.
+inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  switch (located.contact.kind) {
+  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
+  case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
+  case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
+  default: return {Interval(0)};
+  }
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_LOCATED_CONTACT_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams where arcs join smoothly, and where disks touch four sites or more: medial axes in closed form, random smooth splines, and the signs of polynomials near a zero of theirs.
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Blown_up_polynomial.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+using V = K::Vector_2;
+
+// A quarter of an ellipse, exactly.
+Curve quarter(const P& center, const V& from, const V& to)
+{
+  const P a = center + from, b = center + to, corner = center + (from + to);
+  return Curve(2, {0, 0, 0, 1, 1, 1}, {a, corner, b}, {1, 1, 2});
+}
+
+// The vertices with a number of edges, by their first coordinates and radii.
+std::vector<std::pair<double, double>> vertices_of_degree(const Diagram& diagram, std::size_t degree)
+{
+  std::vector<std::pair<double, double>> result;
+  for (const auto& vertex : diagram.vertices())
+    if (!vertex.is_at_infinity && vertex.edges.size() == degree)
+      result.emplace_back(vertex.point.x(), vertex.radius);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void expect_vertices(const Diagram& diagram, std::size_t degree, const std::vector<std::pair<double, double>>& expected)
+{
+  const auto found = vertices_of_degree(diagram, degree);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i].first, expected[i].first, 1e-9);
+    EXPECT_NEAR(found[i].second, expected[i].second, 1e-9);
+  }
+}
+
+// The ends of its medial axis are the centers of curvature (+-3/2, 0), where two of its pieces join.
+TEST(SmoothJoints, Ellipse)
+{
+  const Curves curves{SC::ellipse_curve(P(0, 0), V(2, 0), V(0, 1))};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_vertices(diagram, 1, {{-1.5, 0.5}, {1.5, 0.5}});
+  expect_vertices(diagram, 2, {{0, 1}});   // the pieces change
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+// Segments and quarters of circles: the axis has its tips in the centers of the circles.
+TEST(SmoothJoints, RoundedRectangle)
+{
+  const Curves curves{bezier({P(2, 0), P(10, 0)}), quarter(P(10, 2), V(0, -2), V(2, 0)), bezier({P(12, 2), P(12, 5)}), quarter(P(10, 5), V(2, 0), V(0, 2)),
+                      bezier({P(10, 7), P(2, 7)}), quarter(P(2, 5), V(0, 2), V(-2, 0)), bezier({P(0, 5), P(0, 2)}), quarter(P(2, 2), V(-2, 0), V(0, -2))};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_vertices(diagram, 1, {{2, 2}, {2, 2}, {10, 2}, {10, 2}});
+  expect_vertices(diagram, 3, {{3.5, 3.5}, {8.5, 3.5}});
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+TEST(SmoothJoints, Stadium)
+{
+  const Curves curves{bezier({P(0, 0), P(10, 0)}), quarter(P(10, 2), V(0, -2), V(2, 0)), quarter(P(10, 2), V(2, 0), V(0, 2)),
+                      bezier({P(10, 4), P(0, 4)}), quarter(P(0, 2), V(0, 2), V(-2, 0)), quarter(P(0, 2), V(-2, 0), V(0, -2))};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.edges().size(), 1U);
+  expect_vertices(diagram, 1, {{0, 2}, {10, 2}});
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+// Arcs with a common tangent and any curvatures: the contact leaves a joint as the square root of the distance from it.
+TEST(SmoothJoints, Drop)
+{
+  const Curves curves{bezier({P(0, 0), P(3, 0), P(5, 2), P(5, 4)}), bezier({P(5, 4), P(5, 6), P(3, 7), P(0, 7)}), bezier({P(0, 7), P(-3, 7), P(-4, 5), P(-4, 3.5)}), bezier({P(-4, 3.5), P(-4, 1), P(-2, 0), P(0, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram).tips, counts(diagram).branching + 2);   // a tree
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+// Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles are.
+TEST(SmoothJoints, RandomClosedSplines)
+{
+  std::mt19937 random(5);
+  for (int run = 0; run < 8; ++run) {
+    const int degree = run % 2 == 0 ? 3 : 2, n = 5 + run % 3;
+    std::vector<P> points;
+    std::vector<double> knots{0};
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * CGAL_PI * i / n, radius = 3 + std::uniform_real_distribution<double>(0, 4)(random);
+      points.emplace_back(std::round(64 * radius * std::cos(angle)) / 64, std::round(64 * radius * std::sin(angle)) / 64);
+      knots.push_back(knots.back() + (4 + std::uniform_int_distribution<int>(0, 7)(random)) / 8.0);
+    }
+    const Curves curves{Curve::from_periodic(degree, knots, points)};
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    EXPECT_TRUE(diagram.is_complete()) << "run " << run;
+    EXPECT_GT(diagram.edges().size(), 0U);
+    expect_euler(diagram);
+    if (run < 2)
+      expect_empty_disks(diagram, curves);
+  }
+}
+
+Curves polygon(const std::vector<P>& points)
+{
+  Curves result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.push_back(bezier({points[i], points[(i + 1) % points.size()]}));
+  return result;
+}
+
+TEST(CommonDisks, Square)
+{
+  const Curves curves = polygon({P(0, 0), P(4, 0), P(4, 4), P(0, 4)});
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_vertices(diagram, 4, {{2, 2}});
+  EXPECT_EQ(diagram.edges().size(), 4U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
+// Points on one circle, whose center is the only vertex.
+TEST(CommonDisks, PointsOfACircle)
+{
+  const std::vector<P> points{P(5, 0), P(4, 3), P(3, 4), P(0, 5), P(-3, 4), P(-5, 0), P(-4, -3), P(0, -5), P(3, -4)};
+  const Diagram diagram = SC::voronoi_diagram(Curves(), points);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_vertices(diagram, points.size(), {{0, 5}});
+  EXPECT_EQ(diagram.edges().size(), points.size());
+  expect_euler(diagram);
+}
+
+// Four squares: one vertex in each, and one between all of them. Contacts change from sides to corners where the front ends.
+TEST(CommonDisks, AlignedSquares)
+{
+  Curves curves;
+  for (const double x : {0.0, 3.0})
+    for (const double y : {0.0, 3.0})
+      for (const Curve& side : polygon({P(x, y), P(x + 1, y), P(x + 1, y + 1), P(x, y + 1)}))
+        curves.push_back(side);
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.number_of_regions(), 8U - 4U);
+  expect_vertices(diagram, 4, {{0.5, 0.5}, {0.5, 0.5}, {2, std::sqrt(2.0)}, {3.5, 0.5}, {3.5, 0.5}});
+  expect_euler(diagram);
+}
+
+// A vertex of four sites that the coordinates of doubles miss by a little is two vertices.
+TEST(CommonDisks, NearlyASquare)
+{
+  const Diagram diagram = SC::voronoi_diagram(polygon({P(0, 0), P(4 + 1e-6, 0), P(4 + 1e-6, 4), P(0, 4)}));
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(vertices_of_degree(diagram, 3).size(), 2U);
+}
+
+SC::internal::Sign_pattern pattern(const SC::Power_polynomial& p, double a, double b)
+{
+  const SC::Upward_rounding_guard guard;
+  return SC::internal::Blown_up_polynomial::without_common_powers(p).pattern({0, a}, {0, b});
+}
+
+TEST(BlownUpPolynomials, SignsNearAZero)
+{
+  using SC::internal::Sign_pattern;
+  const SC::Power_polynomial a = SC::Power_polynomial::variable(0), b = SC::Power_polynomial::variable(1);
+  EXPECT_EQ(pattern(a + b, 0.1, 0.5), Sign_pattern::POSITIVE);
+  EXPECT_EQ(pattern(-a * b - b * b * b, 0.1, 0.5), Sign_pattern::NEGATIVE);
+  EXPECT_EQ(pattern(a - b, 0.1, 0.5), Sign_pattern::FALLING);
+  EXPECT_EQ(pattern(b - a, 0.1, 0.5), Sign_pattern::UNKNOWN);
+  EXPECT_EQ(pattern(a - b * b, 0.01, 0.5), Sign_pattern::FALLING);          // a parabola: b is a square root
+  EXPECT_EQ(pattern(a * a * b - b * b * b, 0.01, 0.5), Sign_pattern::FALLING);
+  EXPECT_EQ(pattern(a * a + b * b - a * b, 0.1, 0.5), Sign_pattern::POSITIVE);
+  EXPECT_EQ(pattern((a - b) * (a - 2 * b), 0.1, 0.5), Sign_pattern::UNKNOWN);
+  EXPECT_EQ(pattern(SC::Power_polynomial(), 0.1, 0.5), Sign_pattern::ZERO);
+}
