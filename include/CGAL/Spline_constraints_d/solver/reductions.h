@@ -155,10 +155,14 @@ public:
   //! contracts the box; `false` when it proves that no solution is left.
   bool contract(Node_view& node, Linear_enclosure& linear, Local_box& box)
   {
+    if (linear.has_inverse()) {
+      if (!linear.contract_by_image(box))
+        return false;
+      if (is_small_part(box))
+        return true;
+    }
     if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
       return false;
-    if (linear.has_inverse() && is_small_part(box))
-      return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);
     if (!m_projection.contract(node, linear, box))
       return false;
     if (!linear.has_inverse() && is_dense_form_cheap(node) && !contract_dense(node, linear, box))
