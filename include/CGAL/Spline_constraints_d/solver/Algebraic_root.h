@@ -104,13 +104,14 @@ public:
   Polynomial_size size() const
   {
     const std::size_t n = dimension();
-    Polynomial_size result, determinant{0, std::lgamma(static_cast<double>(n) + 1) / std::log(2.0)};
+    Polynomial_size result, determinant;
     for (std::size_t i = 0; i < n; ++i) {
       const Polynomial_size own = size_of(m_polynomials[i]);
       if (!m_ends_with_determinant || i + 1 < n)
         result = larger(result, own);
       determinant.degree += (std::max)(own.degree - 1, 0);
       determinant.bits += own.bits + std::log2((std::max)(own.degree, 1));   // each entry of a row: derivatives of one polynomial
+      determinant.bits += std::log2(static_cast<double>(i + 1));             // of n! products
     }
     return m_ends_with_determinant ? larger(result, determinant) : result;
   }

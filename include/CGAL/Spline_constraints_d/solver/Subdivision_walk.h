@@ -181,12 +181,9 @@ public:
   void add_to(Summary& summary)
   {
     summary = sum(summary, m_worker.summary);
-    summary.refinement_seconds += m_worker.walk.certification().seconds();
     for (const auto& worker : m_workers)
-      if (worker != nullptr) {
+      if (worker != nullptr)
         summary = sum(summary, worker->summary);
-        summary.refinement_seconds += worker->walk.certification().seconds();
-      }
   }
 
 private:

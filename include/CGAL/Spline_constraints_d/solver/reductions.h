@@ -161,7 +161,7 @@ public:
       if (is_small_part(box))
         return true;
     }
-    if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
+    if (!linear.contract_by_equations(node, box) || (!linear.has_inverse() && !linear.contract_by_preconditioned(box)))
       return false;
     if (!m_projection.contract(node, linear, box))
       return false;
