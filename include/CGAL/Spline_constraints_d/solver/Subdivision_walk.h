@@ -21,6 +21,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -313,19 +314,29 @@ private:
     };
     if (is_parallel<Concurrency_tag> && tasks.size() > 1) {
       m_workers.resize((std::max)(m_workers.size(), slots_of<Concurrency_tag>()));
+      const std::vector<std::size_t> order = largest_first(tasks);
       parallel_for<Concurrency_tag>(tasks.size(), [&](std::size_t i, std::size_t slot) {
         [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
         [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
         std::unique_ptr<Worker>& worker = m_workers[slot];
         if (worker == nullptr)
           worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
-        run_task(i, *worker);
+        run_task(order[i], *worker);
       });
       return outcomes;
     }
     for (std::size_t i = 0; i < tasks.size(); ++i)
       run_task(i, m_worker);
     return outcomes;
+  }
+
+  // Large parts of the domain take long as a rule; short tasks fill the gaps at the end of a round.
+  static std::vector<std::size_t> largest_first(const std::vector<Task>& tasks)
+  {
+    std::vector<std::size_t> order(tasks.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return tasks[i].share > tasks[k].share; });
+    return order;
   }
 
   // Puts together what the tasks found; returns the tasks of the next round.
