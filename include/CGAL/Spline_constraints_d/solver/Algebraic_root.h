@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -266,8 +267,8 @@ public:
     return Polynomial_jets(std::span<const Power_polynomial>(&polynomial, 1), m_box, 0).value(0);
   }
 
-  // Of a polynomial at the root; nothing when that would take too many bits.
-  std::optional<CGAL::Sign> sign_of(const Power_polynomial& polynomial)
+  // Of a polynomial at the root; nothing when that would take too many bits, or is stopped.
+  std::optional<CGAL::Sign> sign_of(const Power_polynomial& polynomial, const std::function<bool()>& must_stop = {})
   {
     if (polynomial.is_constant())
       return CGAL::sign(polynomial.constant_term());
@@ -278,7 +279,7 @@ public:
     const double last = bound + size_of(*scaled).bits + 64;   // the value is about as small as the box is narrow
     const double most = last <= m_most_bits ? last : m_few_bits;
     for (double bits = 256; bits <= most; bits = (std::min)(2 * bits, last)) {
-      if (!refine(static_cast<long>(bits)))
+      if ((must_stop && must_stop()) || !refine(static_cast<long>(bits)))
         return std::nullopt;
       const Number value = value_of(*scaled);
       if (const auto sign = value.sign(); sign.is_certain())

@@ -132,7 +132,7 @@ public:
           limit.depth = deep_level();
       if (limits.front().nodes > 0)
         tasks = collect(tasks, run_round(tasks, limits));
-      if (are_degenerate_solutions_likely()) {
+      if (are_degenerate_solutions_likely() && !m_control.must_stop(true)) {
         leave_common_cells(tasks);
         guess_multiple_roots(tasks);
       }
@@ -162,7 +162,7 @@ public:
     Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_multiple_roots);
     std::vector<Open_box<Coordinate>> kept;
     for (Open_box<Coordinate>& box : m_open) {
-      if (box.reason == Undecided_reason::TOLERANCE && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
+      if (box.reason == Undecided_reason::TOLERANCE && !m_control.must_stop(true) && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
           !holds_solution(box)) {
         Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
@@ -253,6 +253,8 @@ private:
   void leave_common_cells(std::vector<Task>& tasks)
   {
     const auto is_common = [&](const auto& part) {
+      if (!m_common.contains(part.cell) && m_control.must_stop(true))
+        return false;
       const auto [place, is_new] = m_common.try_emplace(part.cell);
       if (is_new)
         place->second = common_cell(m_system, source().breaks(), part.cell);
