@@ -4,8 +4,7 @@
 // The solver over problems, policies and number types.
 //
 // Names are problem/policy or problem/number type. Counters: certified roots, clusters, continua and undecided boxes, nodes, time per node (of the whole
-// run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup, rebuilding and refinement of roots in
-// the time. A run ends after 20 s or 3 million nodes.
+// run), whether the answer is complete (1) or not (0), exact rebuilds of nodes, and the shares of setup and rebuilding in the time. A run ends after 20 s or 3 million nodes.
 // The benchmarks `ratio/...` solve one system with Certified_solver_traits and Fast_solver_traits in turns,
 // `univariate/...` one with the path for one unknown and the one for many.
 // `degenerate/touch_to_cross` solves a parabola with a line that touches it and one that crosses it.
@@ -62,13 +61,12 @@ void solve(benchmark::State& state, const System& system)
 {
   const SC::Subdivision_solver_d<Traits> solver(limits());
   typename SC::Subdivision_solver_d<Traits>::Solution_set solutions;
-  double total = 0, setup = 0, rebuilding = 0, refinement = 0;
+  double total = 0, setup = 0, rebuilding = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(solutions = solver(system));
     total += solutions.summary().seconds;
     setup += solutions.summary().setup_seconds;
     rebuilding += solutions.summary().rebuild_seconds;
-    refinement += solutions.summary().refinement_seconds;
   }
   using benchmark::Counter;
   const SC::Summary& summary = solutions.summary();
@@ -83,7 +81,6 @@ void solve(benchmark::State& state, const System& system)
   state.counters["rebuilds"] = static_cast<double>(summary.restarts);
   state.counters["setup"] = setup / total;
   state.counters["rebuilding"] = rebuilding / total;
-  state.counters["refinement"] = refinement / total;
 }
 
 template <class First, class Second>

@@ -233,14 +233,14 @@ void compare_curve_intersections(const std::set<std::string>& selected)
       continue;
     const auto of = [&](const auto& projection) { return median(own, projection); };
     const double building = of([](const Phases& p) { return p.building; }), setup = of([](const Phases& p) { return p.setup; }),
-                 rebuilding = of([](const Phases& p) { return p.rebuilding; }), refinement = of([](const Phases& p) { return p.refinement; });
+                 rebuilding = of([](const Phases& p) { return p.rebuilding; });
     const auto count = [&](const auto& projection) { return std::to_string(std::lround(of(projection))); };
     details.push_back({problem.name, count([](const Phases& p) { return p.nodes; }), count([](const Phases& p) { return p.rebuilds; }),
-                       milliseconds(total(own)), milliseconds(building), milliseconds(setup), milliseconds(rebuilding), milliseconds(refinement),
-                       milliseconds(total(own) - building - setup - rebuilding - refinement)});
+                       milliseconds(total(own)), milliseconds(building), milliseconds(setup), milliseconds(rebuilding),
+                       milliseconds(total(own) - building - setup - rebuilding)});
   }
   std::cout << "\nWhere the time of this package goes, in ms:\n\n";
-  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds", "refinement of roots", "subdivision and the rest"});
+  print_header({"problem", "nodes", "exact rebuilds", "all", "building the system", "setup", "exact rebuilds", "subdivision and the rest"});
   for (const auto& row : details)
     print_row(row);
 }

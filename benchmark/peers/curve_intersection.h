@@ -38,7 +38,6 @@ struct Phases
   double building = 0;     // from the control points to a system of constraints
   double setup = 0;        // from the system to the integers of the solver
   double rebuilding = 0;   // exact Bernstein coefficients
-  double refinement = 0;   // of roots, and their position
   std::size_t nodes = 0, rebuilds = 0;
 };
 

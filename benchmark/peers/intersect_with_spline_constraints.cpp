@@ -55,7 +55,6 @@ Run intersect_with_spline_constraints(const Bezier_curve& a, const Bezier_curve&
   run.phases = {.building = building.count(),
                 .setup = summary.setup_seconds,
                 .rebuilding = summary.rebuild_seconds,
-                .refinement = summary.refinement_seconds,
                 .nodes = summary.nodes,
                 .rebuilds = summary.restarts};
   return run;

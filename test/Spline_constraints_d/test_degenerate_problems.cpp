@@ -115,6 +115,18 @@ TEST(Degenerate_contacts, NoRegularRow)
 }
 
 // Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
+// More equalities than unknowns, and Jacobians of corank 2.
+TEST(Degenerate_contacts, OverdeterminedAndCorankTwo)
+{
+  using Traits = SC::Certified_solver_traits;
+  const Polynomial a = 3 * x - 1, b = 2 * y - 1, c = 5 * z - 2;
+  const Point point{fraction(1, 3), fraction(1, 2)};
+  check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a, b * b, a * b}), {{point, 3}});
+  check_clusters<Traits>(with_equalities(cube(2, 0, 2), {(a - b * b) * (x - 1), (a * a + b * b) * (y - x), a * b * (x + y - 2)}), {{point, 2}}, {{1, 1}});
+  check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a - b * b * b, a * b + b * b * b}), {{point, 5}}, {{0, 1}});
+  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b + c, a * b + c * c, c + a * a * b}), {{{point[0], point[1], fraction(2, 5)}, 4}});
+}
+
 TYPED_TEST(Degenerate_problems, DoubleTangentLines)
 {
   const Polynomial length = 1 + x * x + y * y;

@@ -189,6 +189,34 @@ TEST(Solver_budget, Time)
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 20.0);
 }
 
+// Says stop the n-th time it is asked.
+struct Stop_after
+{
+  int left;
+
+  void on_progress(double) {}
+  bool stop() { return left-- <= 0; }
+};
+
+// In the subdivision, before the search for a common factor, on the way to an irrational double root: nothing is lost, and what is missing is seen.
+TEST(Solver_budget, StoppedAtAnyMoment)
+{
+  const Coordinate root = Coordinate::near(std::sqrt(2.0));
+  const std::vector<Problem> problems{{"irrational double root", with_equalities(cube(2, 0, 2), {square(x * x - 2), y - x}), 1, {{root, root}}},
+                                      {"common factor", with_equalities(cube(2, 0, 2), {(x - y) * (x + 3 * y - 2), (x - y) * (x - y + 1)}), 2, {{1, 1}, {fraction(1, 3), fraction(1, 3)}}}};
+  for (const Problem& problem : problems) {
+    bool is_stopped = true;
+    for (int questions = 0; is_stopped; ++questions) {
+      ASSERT_LT(questions, 1000);
+      Stop_after visitor{questions};
+      const auto solutions = SC::Subdivision_solver_d<>()(problem.system, visitor);
+      expect_nothing_lost(problem.known, solutions);
+      is_stopped = visitor.left < 0;
+      EXPECT_TRUE(is_stopped ? questions > 0 || !solutions.is_complete() : solutions.is_complete()) << problem.name << ", " << questions;
+    }
+  }
+}
+
 TEST(Solver_budget, Tolerance)
 {
   const System circle = with_equalities(cube(2, -2, 2), {x * x + y * y - 1, square(x * x + y * y) - 1});

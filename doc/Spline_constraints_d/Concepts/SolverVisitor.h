@@ -5,8 +5,8 @@
 \ingroup PkgSplineConstraintsDConcepts
 \cgalConcept
 
-The concept `SolverVisitor` describes who watches a run of the solver and may stop it. The solver calls it from the thread that called the solver, at most once
-every 64 nodes. Both functions may throw; the exception leaves the solver.
+The concept `SolverVisitor` describes who watches a run of the solver and may stop it. The solver calls it from one thread at a time, about once
+every 32 nodes, and before what may take long. Both functions may throw; the exception leaves the solver.
 
 The language concept of the same name in `CGAL/Spline_constraints_d/solver/concepts.h` checks what a compiler can check.
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -20,14 +21,16 @@
 #endif
 #endif
 
-#ifdef CGAL_SPLINE_CONSTRAINTS_PLAIN_THREADS
 #include <atomic>
+
+#ifdef CGAL_SPLINE_CONSTRAINTS_PLAIN_THREADS
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 #else
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -42,6 +45,29 @@ constexpr bool is_parallel = std::is_convertible_v<Concurrency_tag, Parallel_tag
 
 #ifdef CGAL_LINKED_WITH_TBB
 
+// What is left of 0, ..., count - 1: handed out one by one and in order, since a large piece at the end would leave the other threads with nothing to do.
+class Shared_indices
+{
+  std::atomic<std::size_t> m_next = 0;
+  const std::size_t m_count;
+
+public:
+  explicit Shared_indices(std::size_t count) : m_count(count) {}
+
+  // Calls body(i, slot) until there are none left; an exception ends it for all threads.
+  template <class Body>
+  void run(const Body& body, std::size_t slot)
+  {
+    try {
+      for (std::size_t i = m_next++; i < m_count; i = m_next++)
+        body(i, slot);
+    } catch (...) {
+      m_next = m_count;
+      throw;
+    }
+  }
+};
+
 #ifdef CGAL_SPLINE_CONSTRAINTS_PLAIN_THREADS
 
 inline std::size_t number_of_slots() { return 4; }
@@ -49,15 +75,13 @@ inline std::size_t number_of_slots() { return 4; }
 template <class Body>
 void run_on_all_threads(std::size_t count, const Body& body)
 {
-  std::atomic<std::size_t> next = 0;
+  Shared_indices indices(count);
   std::mutex mutex;
   std::exception_ptr exception;
   const auto work = [&](std::size_t slot) {
     try {
-      for (std::size_t i = next++; i < count; i = next++)
-        body(i, slot);
+      indices.run(body, slot);
     } catch (...) {
-      next = count;
       const std::lock_guard lock(mutex);
       exception = std::current_exception();
     }
@@ -78,7 +102,9 @@ inline std::size_t number_of_slots() { return static_cast<std::size_t>(tbb::this
 template <class Body>
 void run_on_all_threads(std::size_t count, const Body& body)
 {
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) { body(i, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())); });
+  Shared_indices indices(count);
+  const auto work = [&](std::size_t) { indices.run(body, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index())); };
+  tbb::parallel_for(std::size_t(0), (std::min)(count, number_of_slots()), work, tbb::simple_partitioner());
 }
 
 #endif
@@ -96,7 +122,7 @@ std::size_t slots_of()
   return 1;
 }
 
-// Calls body(i, slot) for i = 0, ..., count - 1, each once: in order and with slot 0, or in parallel. Calls with the same slot do not run at the same time.
+// Calls body(i, slot) for i = 0, ..., count - 1, each once: in order and with slot 0, or in parallel, begun in order. Calls with the same slot do not run at the same time.
 template <class Concurrency_tag, class Body>
 void parallel_for(std::size_t count, const Body& body)
 {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/mpq_access.h>
+#include <CGAL/Spline_constraints_d/number/power_of_two.h>
 
 #include <CGAL/assertions.h>
 
@@ -134,7 +135,7 @@ inline double scaled_mantissa(double mantissa, long exponent)
 {
   if (mantissa == 0 || exponent < -1070)
     return 0;
-  return std::ldexp(mantissa, exponent > 1024 ? 2000 : static_cast<int>(exponent));
+  return times_power_of_two(mantissa, exponent);
 }
 
 // value 2^exponent, truncated: relative error below 2^-52, whatever the rounding mode.
@@ -197,13 +198,11 @@ inline Exact_rational quotient(const Big_integer& numerator, const Big_integer& 
 template <class Integer = Big_integer>
 std::pair<Integer, long> to_dyadic(double value)
 {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
+  const auto [mantissa, exponent] = integer_mantissa(value);
   if (mantissa == 0)
     return {Integer(0), 0};
-  long long integer = static_cast<long long>(std::ldexp(mantissa, 53));
-  const int zeros = __builtin_ctzll(static_cast<unsigned long long>(integer));
-  return {Integer(integer >> zeros), static_cast<long>(exponent) - 53 + zeros};
+  const int zeros = __builtin_ctzll(static_cast<unsigned long long>(mantissa));
+  return {Integer(mantissa >> zeros), static_cast<long>(exponent) + zeros};
 }
 
 inline bool is_dyadic(const Exact_rational& value) { return mpz_popcount(denominator_of(value).backend().data()) == 1; }

@@ -226,7 +226,7 @@ public:
     if (!value.m_is_long) {
       const int bits = bit_length(magnitude(value.m_words)), shift = (std::max)(bits - 53, 0);
       const double size = static_cast<double>(static_cast<std::int64_t>(magnitude(value.m_words) >> shift));
-      return scaled_mantissa(std::ldexp(value.m_words < 0 ? -size : size, shift - bits), bits + exponent);
+      return scaled_mantissa(times_power_of_two(value.m_words < 0 ? -size : size, shift - bits), bits + exponent);
     }
     long own_exponent = 0;
     const double mantissa = mpz_get_d_2exp(&own_exponent, value.m_long);

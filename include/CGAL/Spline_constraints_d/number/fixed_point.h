@@ -91,12 +91,11 @@ private:
   // x / width in units of 2^-127, rounded down, modulo 2^128.
   Unsigned_fixed_point scaled(double x) const
   {
-    int exponent = 0;
-    const Fixed_point mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-    const long shift = exponent - 53 + 127 - m_log_width;
+    const auto [mantissa, exponent] = integer_mantissa(x);
+    const long shift = exponent + 127 - m_log_width;
     if (shift >= 128)
       return 0;
-    return shift >= 0 ? static_cast<Unsigned_fixed_point>(mantissa) << shift : static_cast<Unsigned_fixed_point>(mantissa >> (std::min)(-shift, 127L));
+    return shift >= 0 ? static_cast<Unsigned_fixed_point>(mantissa) << shift : static_cast<Unsigned_fixed_point>(mantissa >> (std::min)(-shift, 63L));
   }
 };
 

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -21,6 +23,21 @@ namespace internal {
 constexpr double double_power_of_two(int exponent)
 {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+// x 2^exponent, as std::ldexp(), with no library call where the power is a normal double.
+inline double times_power_of_two(double x, long exponent)
+{
+  return -1022 <= exponent && exponent <= 1023 ? x * double_power_of_two(static_cast<int>(exponent)) : std::ldexp(x, static_cast<int>(std::clamp(exponent, -3000L, 3000L)));
+}
+
+// A finite double as mantissa 2^exponent, with a mantissa of at most 53 bits.
+inline std::pair<std::int64_t, int> integer_mantissa(double x)
+{
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x), fraction = bits & 0xfffffffffffff;
+  const int exponent = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::int64_t size = static_cast<std::int64_t>(exponent == 0 ? fraction : fraction | 0x10000000000000);
+  return {bits >> 63 ? -size : size, (std::max)(exponent, 1) - 1075};
 }
 
 // Calls multiply(2^s) with normal doubles 2^s whose product is 2^exponent. `limit` bounds |exponent|.

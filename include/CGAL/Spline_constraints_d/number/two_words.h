@@ -4,8 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_TWO_WORDS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_TWO_WORDS_H
 
+#include <CGAL/Spline_constraints_d/number/power_of_two.h>
+
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 namespace CGAL {
@@ -40,7 +41,7 @@ constexpr bool multiply(Two_words a, Two_words b, Two_words& product)
 inline double approximate(Unsigned_two_words value)
 {
   const int bits = bit_length(value), shift = bits > 64 ? bits - 64 : 0;
-  return std::ldexp(static_cast<double>(static_cast<std::uint64_t>(value >> shift)), shift);
+  return times_power_of_two(static_cast<double>(static_cast<std::uint64_t>(value >> shift)), shift);
 }
 
 inline double approximate(Two_words value) { return value < 0 ? -approximate(magnitude(value)) : approximate(magnitude(value)); }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -104,13 +105,14 @@ public:
   Polynomial_size size() const
   {
     const std::size_t n = dimension();
-    Polynomial_size result, determinant{0, std::lgamma(static_cast<double>(n) + 1) / std::log(2.0)};
+    Polynomial_size result, determinant;
     for (std::size_t i = 0; i < n; ++i) {
       const Polynomial_size own = size_of(m_polynomials[i]);
       if (!m_ends_with_determinant || i + 1 < n)
         result = larger(result, own);
       determinant.degree += (std::max)(own.degree - 1, 0);
       determinant.bits += own.bits + std::log2((std::max)(own.degree, 1));   // each entry of a row: derivatives of one polynomial
+      determinant.bits += std::log2(static_cast<double>(i + 1));             // of n! products
     }
     return m_ends_with_determinant ? larger(result, determinant) : result;
   }
@@ -265,8 +267,8 @@ public:
     return Polynomial_jets(std::span<const Power_polynomial>(&polynomial, 1), m_box, 0).value(0);
   }
 
-  // Of a polynomial at the root; nothing when that would take too many bits.
-  std::optional<CGAL::Sign> sign_of(const Power_polynomial& polynomial)
+  // Of a polynomial at the root; nothing when that would take too many bits, or is stopped.
+  std::optional<CGAL::Sign> sign_of(const Power_polynomial& polynomial, const std::function<bool()>& must_stop = {})
   {
     if (polynomial.is_constant())
       return CGAL::sign(polynomial.constant_term());
@@ -277,7 +279,7 @@ public:
     const double last = bound + size_of(*scaled).bits + 64;   // the value is about as small as the box is narrow
     const double most = last <= m_most_bits ? last : m_few_bits;
     for (double bits = 256; bits <= most; bits = (std::min)(2 * bits, last)) {
-      if (!refine(static_cast<long>(bits)))
+      if ((must_stop && must_stop()) || !refine(static_cast<long>(bits)))
         return std::nullopt;
       const Number value = value_of(*scaled);
       if (const auto sign = value.sign(); sign.is_certain())

@@ -135,7 +135,7 @@ inline bool Fixed_point_source::bernstein_coefficients(std::span<const double> l
   for (int f = 0; f < m_layout.functions; ++f) {
     const int bits = bit_length(m_largest[f]);
     scale[f] = m_unit[f] + bits;
-    m_factor[f] = std::ldexp(1.0, -bits);
+    m_factor[f] = double_power_of_two(-bits);
   }
   for (const Block& block : m_layout.blocks) {
     const std::size_t members = block.functions.size();
@@ -248,7 +248,8 @@ inline void Fixed_point_source::evaluate(std::span<const double> point, std::vec
   values.resize(m_layout.functions);
   for (int f = 0; f < m_layout.functions; ++f) {
     const int bits = bit_length(magnitude(m_sum[f]));
-    values[f] = {std::ldexp(approximate(m_sum[f]), -bits), m_unit[f] + bits, std::ldexp(m_sum_error[f], -bits)};
+    const double unit = double_power_of_two(-bits);
+    values[f] = {approximate(m_sum[f]) * unit, m_unit[f] + bits, m_sum_error[f] * unit};
   }
 }
 

@@ -86,6 +86,15 @@ public:
   double centre(int j) const { return m_centre[j]; }
   double reach(int j) const { return m_reach[j]; }
 
+  //! contracts the box to that image; false when no solution is left. Cheaper than the rows, which say little more. Only with an inverse.
+  bool contract_by_image(Local_box& box) const
+  {
+    bool is_left = true;
+    for (int j = 0; j < m_dimension; ++j)
+      is_left = box.intersect(j, m_centre[j] - m_reach[j], m_centre[j] + m_reach[j]) && is_left;
+    return is_left;
+  }
+
   //! C, with a row per equation: a product of elementary matrices, and so regular but for rounding.
   const double* matrix() const { return m_inverse.data(); }
 
@@ -192,11 +201,12 @@ void Linear_enclosure::eliminate(Node_view& node)
   const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
   m_rank = 0;
   const double* slopes = m == 0 ? nullptr : node.slopes(0);
-  std::copy_n(slopes, m * n, m_work.begin());
   for (int i = 0; i < m; ++i) {
     double row_size = 0;
-    for (int k = 0; k < n; ++k)
+    for (int k = 0; k < n; ++k) {
+      m_work[i * n + k] = slopes[i * n + k];
       row_size += std::abs(slopes[i * n + k]);
+    }
     const double lo = node.rest_lower(i), hi = node.rest_upper(i);
     m_middle[i] = 0.5 * (lo + hi);
     m_half_width[i] = m_radius[i] = 0.5 * (hi - lo);
@@ -229,22 +239,20 @@ void Linear_enclosure::eliminate(Node_view& node)
     m_row_of[pivot] = pivot_row;
     double* row = m_work.data() + pivot_row * n;
     const double factor = 1 / row[pivot];
-    row[pivot] = 1;
     for (int k = 0; k < n; ++k)
-      row[k] *= factor;
+      row[k] = k == pivot ? factor : factor * row[k];
     m_radius[pivot_row] *= std::abs(factor);
     for (int i = 0; i < m; ++i) {
       double* other = m_work.data() + i * n;
       const double a = other[pivot];
       if (i == pivot_row || a == 0)
         continue;
-      other[pivot] = 0;
       for (int k = 0; k < n; ++k)
-        other[k] -= a * row[k];
+        other[k] = (k == pivot ? 0 : other[k]) - a * row[k];
       m_radius[i] += std::abs(a) * m_radius[pivot_row];
     }
   }
-  std::fill(m_inverse.begin(), m_inverse.end(), 0.0);
+  std::fill_n(m_inverse.begin(), m * m, 0.0);
   for (int i = 0; i < m; ++i) {
     m_inverse[i * m + i] = 1;
     for (int k = 0; k < m; ++k)

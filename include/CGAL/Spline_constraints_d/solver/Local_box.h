@@ -23,8 +23,14 @@ struct Local_box
   //! the whole node.
   void reset(int dimension)
   {
-    lower.assign(dimension, -0.5);
-    upper.assign(dimension, 0.5);
+    if (this->dimension() != dimension) {
+      lower.resize(dimension);
+      upper.resize(dimension);
+    }
+    for (int j = 0; j < dimension; ++j) {
+      lower[j] = -0.5;
+      upper[j] = 0.5;
+    }
   }
 
   int dimension() const { return static_cast<int>(lower.size()); }

@@ -53,6 +53,7 @@ class Node_view
   std::vector<double> m_greville, m_storage;   // all of the following lies in one piece
 
   std::span<double> m_block_lower, m_block_upper;            // per block and function
+  std::span<double> m_hull, m_affine, m_derivatives;         // sums over the blocks, whose parts are
   std::span<double> m_hull_lower, m_hull_upper;              // per function
   std::span<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
   std::span<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
@@ -194,20 +195,25 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     slopes = (std::max)(slopes, m * axes);
   }
   internal::allocate_parts<double>(
-    m_storage, {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull_lower, functions}, {&m_hull_upper, functions},
-                {&m_slopes, entries}, {&m_rest_lower, functions}, {&m_rest_upper, functions}, {&m_derivative_lower, entries},
-                {&m_derivative_upper, entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
+    m_storage, {{&m_block_lower, layout.errors}, {&m_block_upper, layout.errors}, {&m_hull, 2 * functions}, {&m_affine, entries + 2 * functions},
+                {&m_derivatives, 2 * entries}, {&m_least_over_first, over_first}, {&m_most_over_first, over_first}, {&m_work, work},
                 {&m_base, members}, {&m_block_slopes, slopes}, {&m_layer_lower, layers}, {&m_layer_upper, layers},
                 {&m_block_rest_lower, members}, {&m_block_rest_upper, members}, {&m_line_slopes, layout.errors}, {&m_line_rest_lower, layout.errors},
                 {&m_line_rest_upper, layout.errors}});
+  m_hull_lower = m_hull.first(functions);
+  m_hull_upper = m_hull.last(functions);
+  m_slopes = m_affine.first(entries);
+  m_rest_lower = m_affine.subspan(entries, functions);
+  m_rest_upper = m_affine.last(functions);
+  m_derivative_lower = m_derivatives.first(entries);
+  m_derivative_upper = m_derivatives.last(entries);
   m_index.resize(layout.dimension);
 }
 
 inline void Node_view::bound_blocks()
 {
   m_has_bounds = true;
-  for (auto* v : {&m_hull_lower, &m_hull_upper})
-    std::fill(v->begin(), v->end(), 0.0);
+  std::fill(m_hull.begin(), m_hull.end(), 0.0);
   visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
     if (is_line(block))
       bound_line<members>(block, plan);
@@ -279,8 +285,7 @@ inline void Node_view::enclose_blocks()
 {
   compute_bounds();
   m_has_affine = true;
-  for (auto* v : {&m_rest_lower, &m_rest_upper, &m_slopes})
-    std::fill(v->begin(), v->end(), 0.0);
+  std::fill(m_affine.begin(), m_affine.end(), 0.0);
   visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
     const std::size_t functions = functions_of<members>(block), axes = block.axes.size();
     if (is_line(block)) {
@@ -387,8 +392,7 @@ inline void Node_view::bound_derivatives()
 {
   compute_bounds();
   m_has_derivatives = true;
-  std::fill(m_derivative_lower.begin(), m_derivative_lower.end(), 0.0);
-  std::fill(m_derivative_upper.begin(), m_derivative_upper.end(), 0.0);
+  std::fill(m_derivatives.begin(), m_derivatives.end(), 0.0);
   visit_blocks([&](const internal::Block& block, const Plan&, auto members) {
     for (std::size_t j = 0; j < block.axes.size(); ++j)
       if (block.degrees[j] > 0)

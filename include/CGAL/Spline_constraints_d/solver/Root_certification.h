@@ -13,7 +13,6 @@
 #include <CGAL/Spline_constraints_d/solver/Root_collection.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -54,7 +53,6 @@ class Root_certification
   Coordinate_box<Coordinate> m_solutions;   // where those of a node lie
   // A root's region is narrowed until Newton's iteration with exact residuals, which cost more, needs only a few of them.
   static constexpr double m_fine_contraction = 0.2;
-  double m_seconds = 0;
 
 public:
   Root_certification(const System_layout& layout, Exact_source& source, Preconditioned_system<NT>& preconditioned, Root_collection<NT>& roots,
@@ -66,9 +64,6 @@ public:
     m_across.lower.resize(layout.dimension);
     m_across.upper.resize(layout.dimension);
   }
-
-  // What refinement and position of the roots took.
-  double seconds() const { return m_seconds; }
 
   bool crosses_break(const Cell& cell, const std::vector<Coordinate>& lower, const std::vector<Coordinate>& upper) const
   {
@@ -200,17 +195,9 @@ private:
     return verdict == Piecewise::OPEN && m_preconditioned.is_applicable() ? m_preconditioned.certify(m_across) : verdict;
   }
 
-  bool keep_root(const Cell& cell)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    const bool is_counted = refine_and_add(cell);
-    m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return is_counted;
-  }
-
   // Refines the root of the last region. Where that region is much thinner on one axis than on another, or C is poor there, others are certified
   // around the enclosure, with fresh coefficients; or, where that would come near other roots, around its middle.
-  bool refine_and_add(const Cell& cell)
+  bool keep_root(const Cell& cell)
   {
     const Root_enclosure<Coordinate>* enclosure = &m_roots.refine();
     for (const double least_margin : {0x1p-24, 0x1p-34, 0x1p-44, 0x1p-44, 0x1p-44}) {

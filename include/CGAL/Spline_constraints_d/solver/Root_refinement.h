@@ -72,7 +72,7 @@ Newton's iteration in double, on the coefficients of a box: where the one with e
 */
 class Approximate_refinement
 {
-  std::vector<double> m_values, m_work, m_binomials;
+  std::vector<double> m_values, m_next, m_work, m_binomials;
 
 public:
   // Moves a point, in the coordinates [0,1]^n of the box, as close to the root as steps shrink; `inverse` has a column per equality.
@@ -80,7 +80,8 @@ public:
   {
     const std::size_t n = point.size(), m = inverse.size() / n;
     m_values.resize(layout.functions);
-    m_work.resize((std::max)(layout.size, n));
+    m_next.resize(n);
+    m_work.resize(layout.size);
     for (double last = 0.5;;) {
       evaluate(layout, coefficients, point);
       double largest = 0;
@@ -88,13 +89,12 @@ public:
         double step = 0;
         for (std::size_t i = 0; i < m; ++i)
           step += inverse[j * m + i] * m_values[i];
-        m_work[j] = step;
+        m_next[j] = (std::min)((std::max)(point[j] - step, 0.0), 1.0);
         largest = std::abs(step) <= largest ? largest : std::abs(step);   // what is no number ends it
       }
       if (!(largest < 0.5 * last))
         return;
-      for (std::size_t j = 0; j < n; ++j)
-        point[j] = (std::min)((std::max)(point[j] - m_work[j], 0.0), 1.0);
+      std::swap(point, m_next);
       if (largest / last * largest < 0x1p-53)
         return;   // the next step, at this rate, would be lost in the last place
       last = largest;
@@ -123,9 +123,19 @@ private:
           store(work + i, sum);
         });
       }
-      for (std::size_t i = 0; i < block.functions.size(); ++i)
-        m_values[block.functions[i]] += rest[i];
+      add_to_values(block.functions, rest);
     }
+  }
+
+  // Two by two where the functions follow each other: numbers that are stored one by one wait before they are read as a pair.
+  void add_to_values(const std::vector<int>& functions, const double* addend)
+  {
+    const std::size_t count = functions.size();
+    if (functions[count - 1] - functions[0] + std::size_t(1) == count)
+      for_each_place(count, [&, first = m_values.data() + functions[0]](auto type, std::size_t i) { store(first + i, load(type, first + i) + load(type, addend + i)); });
+    else
+      for (std::size_t i = 0; i < count; ++i)
+        m_values[functions[i]] += addend[i];
   }
 
   const double* binomials_of(int degree)
@@ -277,7 +287,7 @@ private:
   {
     const int n = static_cast<int>(region.lower.size()), m = static_cast<int>(region.inverse.size()) / n;
     for (int i = 0; i < m; ++i) {
-      const double unit = std::ldexp(1.0, static_cast<int>((std::max)(-3000L, (std::min)(m_values[i].exponent - region.scale[i], 3000L))));
+      const double unit = times_power_of_two(1, m_values[i].exponent - region.scale[i]);
       const auto scaled = [&](double x) { return x == 0 ? 0 : x * unit; };   // infinity, beyond the range of double, is no value of zero
       m_value[i] = scaled(m_values[i].mantissa);
       m_value_error[i] = scaled(m_values[i].error);

@@ -216,7 +216,6 @@ struct Summary
   double seconds = 0;                ///< wall-clock time of the whole run
   double setup_seconds = 0;          ///< of it: laying out the system, exact integers
   double rebuild_seconds = 0;        ///< of it: exact Bernstein coefficients
-  double refinement_seconds = 0;     ///< of it: Newton refinement and position of the roots
   bool is_complete = true;           ///< every solution lies in a certified, cluster or continuum box
   Undecided_reason why_not = Undecided_reason::NONE;   ///< the first reason when it is not
 
@@ -229,7 +228,6 @@ struct Summary
     seconds += other.seconds;
     setup_seconds += other.setup_seconds;
     rebuild_seconds += other.rebuild_seconds;
-    refinement_seconds += other.refinement_seconds;
     if (is_complete)
       why_not = other.why_not;
     is_complete = is_complete && other.is_complete;

@@ -21,6 +21,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -131,7 +132,7 @@ public:
           limit.depth = deep_level();
       if (limits.front().nodes > 0)
         tasks = collect(tasks, run_round(tasks, limits));
-      if (are_degenerate_solutions_likely()) {
+      if (are_degenerate_solutions_likely() && !m_control.must_stop(true)) {
         leave_common_cells(tasks);
         guess_multiple_roots(tasks);
       }
@@ -161,7 +162,7 @@ public:
     Worker worker(m_system, m_layout, options, m_control, &m_roots.roots(), &m_multiple_roots);
     std::vector<Open_box<Coordinate>> kept;
     for (Open_box<Coordinate>& box : m_open) {
-      if (box.reason == Undecided_reason::TOLERANCE && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
+      if (box.reason == Undecided_reason::TOLERANCE && !m_control.must_stop(true) && !worker.walk.certification().crosses_break(box.cell, box.lower, box.upper) &&
           !holds_solution(box)) {
         Outcome outcome = worker.run(Walk::make_task(box.cell, box.lower, box.upper, 0), {.nodes = budget, .looks = m_few_looks, .attempts = m_few_open, .open_before = 0});
         const bool is_decided = outcome.open.empty() && outcome.pending.empty();
@@ -181,12 +182,9 @@ public:
   void add_to(Summary& summary)
   {
     summary = sum(summary, m_worker.summary);
-    summary.refinement_seconds += m_worker.walk.certification().seconds();
     for (const auto& worker : m_workers)
-      if (worker != nullptr) {
+      if (worker != nullptr)
         summary = sum(summary, worker->summary);
-        summary.refinement_seconds += worker->walk.certification().seconds();
-      }
   }
 
 private:
@@ -255,6 +253,8 @@ private:
   void leave_common_cells(std::vector<Task>& tasks)
   {
     const auto is_common = [&](const auto& part) {
+      if (!m_common.contains(part.cell) && m_control.must_stop(true))
+        return false;
       const auto [place, is_new] = m_common.try_emplace(part.cell);
       if (is_new)
         place->second = common_cell(m_system, source().breaks(), part.cell);
@@ -316,19 +316,29 @@ private:
     };
     if (is_parallel<Concurrency_tag> && tasks.size() > 1) {
       m_workers.resize((std::max)(m_workers.size(), slots_of<Concurrency_tag>()));
+      const std::vector<std::size_t> order = largest_first(tasks);
       parallel_for<Concurrency_tag>(tasks.size(), [&](std::size_t i, std::size_t slot) {
         [[maybe_unused]] const typename Number_traits<NT>::Rounding_guard guard;
         [[maybe_unused]] const Mpfr_precision_scope precision(m_options.precision);
         std::unique_ptr<Worker>& worker = m_workers[slot];
         if (worker == nullptr)
           worker = std::make_unique<Worker>(m_system, m_layout, m_options, m_control, &m_roots.roots(), &m_multiple_roots);
-        run_task(i, *worker);
+        run_task(order[i], *worker);
       });
       return outcomes;
     }
     for (std::size_t i = 0; i < tasks.size(); ++i)
       run_task(i, m_worker);
     return outcomes;
+  }
+
+  // Large parts of the domain take long as a rule; short tasks fill the gaps at the end of a round.
+  static std::vector<std::size_t> largest_first(const std::vector<Task>& tasks)
+  {
+    std::vector<std::size_t> order(tasks.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return tasks[i].share > tasks[k].share; });
+    return order;
   }
 
   // Puts together what the tasks found; returns the tasks of the next round.

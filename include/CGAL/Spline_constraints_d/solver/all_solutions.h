@@ -210,8 +210,11 @@ private:
     });
     if constexpr (std::same_as<NT, double> && Traits::tracks_rounding) {
       Precision_ladder ladder(m_system, m_layout, m_walk.source(), m_walk.roots(), m_options, m_control, m_summary);
-      for (const auto& box : m_walk.open_boxes())
+      for (auto& box : m_walk.open_boxes()) {
+        if (box.reason == Undecided_reason::TOLERANCE && m_control.must_stop(true))
+          box.reason = m_control.reason();   // that it does not climb
         ladder.report(box, classified<NT>(m_system, box), m_solutions);
+      }
     } else
       for (const auto& box : m_walk.open_boxes())
         m_solutions.push_back(classified<NT>(m_system, box));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -76,9 +77,9 @@ Let G be the first n - 1 equalities and D, the determinant of the Jacobian J of 
 2. If x satisfies the first n - 1 equalities, so do all y(t), with D(y(t)) = t D(x). Then d/dt f_n(y(t)) = t D(x)^2 / det J_G(y(t)) by Cramer's rule, and det J_G has one sign s on X.
 3. So f_n(x) - f_n(z) has the sign s for all x /= z that satisfy the others. If f_n(z) = 0 then z is the only root there, and since f_n grows with t^2 its multiplicity is two; if f_n(z) has the sign s,
    there is none.
-Whether f_n(z) = 0 is decided by the zero bound.
+Whether f_n(z) = 0 is decided by the zero bound; this takes long for some systems, and may be stopped.
 */
-inline Double_root_search search_double_root(const Constraint_system_d& system, const Exact_box& box)
+inline Double_root_search search_double_root(const Constraint_system_d& system, const Exact_box& box, const std::function<bool()>& must_stop = {})
 {
   Double_root_search result;
   const std::size_t n = box.size();
@@ -118,7 +119,7 @@ inline Double_root_search search_double_root(const Constraint_system_d& system, 
     return {};
   if (!integer_equalities(system, result.region))   // beyond a break the equalities are others
     result.region = box;
-  const auto sign = result.root->sign_of(result.equalities.back());
+  const auto sign = result.root->sign_of(result.equalities.back(), must_stop);
   result.outcome = !sign                                   ? Double_root_search::NOTHING_PROVED
                    : *sign == CGAL::ZERO                   ? Double_root_search::DOUBLE_ROOT
                    : *sign == result.root->orientation()   ? Double_root_search::NO_ROOT

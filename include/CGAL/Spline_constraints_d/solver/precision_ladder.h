@@ -69,7 +69,7 @@ public:
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
     bool may_climb = is_regular || is_open;
     if (is_open && m_options.ladder_precision > 0) {
-      Double_root_search search = search_double_root(m_system, ranges);
+      Double_root_search search = search_double_root(m_system, ranges, [&] { return m_control.must_stop(true); });
       if (report_double_root(search, solutions))
         return;
       may_climb = !is_beyond_reach(search);

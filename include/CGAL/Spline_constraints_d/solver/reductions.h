@@ -140,7 +140,8 @@ private:
 The default reduction: the equations' own affine enclosures, the projected polyhedron, and the preconditioned affine enclosures.
 
 The affine modes cost \f$O(n^2)\f$ per equation and no pass over the coefficients beyond the one that bounds the node, so they come first; sparse
-and separable equations are never expanded. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks, some of these have several
+and separable equations are never expanded. Where there is a complete inverse for as many equalities as unknowns, the image under the Newton operator \f$s - C f(s)\f$ is all that the preconditioned rows say of the whole node, and where that is a
+small part of it nothing else is asked. Where they leave no complete inverse, the control points of \f$C f\f$ are formed if all equalities share their blocks, some of these have several
 axes and, by counted operations, that costs no more than a split. A second sweep over the linear rows follows where
 anything was gained, since it is cheap beside a pass.
 
@@ -155,7 +156,12 @@ public:
   //! contracts the box; `false` when it proves that no solution is left.
   bool contract(Node_view& node, Linear_enclosure& linear, Local_box& box)
   {
-    if (!linear.contract_by_equations(node, box) || !linear.contract_by_preconditioned(box))
+    const bool has_image = linear.has_inverse() && linear.equations() == linear.dimension();   // all that the preconditioned rows say of the whole node
+    if (has_image && !linear.contract_by_image(box))
+      return false;
+    if (has_image && is_small_part(box))
+      return true;
+    if (!linear.contract_by_equations(node, box) || (!has_image && !linear.contract_by_preconditioned(box)))
       return false;
     if (linear.has_inverse() && is_small_part(box))
       return linear.contract_by_equations(node, box) && linear.contract_by_preconditioned(box);

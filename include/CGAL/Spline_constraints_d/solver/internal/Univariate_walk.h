@@ -227,7 +227,6 @@ private:
 
   void report_simple_root(const Bernstein_interval& node)
   {
-    const Clock::time_point begin = Clock::now();
     const auto [lower, upper] = refined(node);
     Univariate_answer answer{Solution_kind::CERTIFIED, Undecided_reason::NONE, 1, std::nullopt, lower, upper, static_cast<CGAL::Sign>(node.lower_sign)};
     if (m_inner_lower < lower && upper < m_inner_upper)
@@ -236,7 +235,6 @@ private:
       answer.exact = std::move(root);
       m_answers.push_back(std::move(answer));
     }
-    m_summary.refinement_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
 
   // Cuts off what is not in the interior of the interval; false if the root is not.
@@ -299,11 +297,9 @@ private:
 
   void solve_exactly(const Bernstein_interval& node)
   {
-    const Clock::time_point begin = Clock::now();
     for (auto& [root, exponent] : exact_roots_between(Exact_rational(node.lower), Exact_rational(node.upper)))
       if (const Solution_kind kind = exponent == 1 ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER; clip(root))
         m_answers.push_back({kind, Undecided_reason::NONE, exponent, std::move(root)});
-    m_summary.refinement_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
   }
 
   // The roots between two dyadic points where the polynomial does not vanish, from left to right, with their multiplicities.
