@@ -119,15 +119,18 @@ public:
     Interval k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
     if (!(width(k) < width(result.curvature)))
       k = result.curvature;
-    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && !(k.inf() > joint->inf()))
-      k = *joint;
+    Range other_range = result.other_range;
+    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && !(k.inf() > joint->curvature.inf())) {
+      k = joint->curvature;
+      other_range = joint->range;
+    }
     const Interval_pair &x = point.jet.point, &n = point.jet.normal;
-    return {{x[0] + n[0] / k, x[1] + n[1] / k}, k, result.other_range};
+    return {{x[0] + n[0] / k, x[1] + n[1] / k}, k, other_range};
   }
 
 private:
   // Of the front and of another arc, in the point where they join.
-  std::optional<Interval> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
+  std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
   {
     const Front& front = m_graph.fronts()[point.front];
     const Arc_end own{front.object, point.range.begin == 1};
@@ -137,8 +140,9 @@ private:
       const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
       return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
     };
-    const Interval a = curvature(own), b = curvature(m_graph.continuation(own)->end);
-    return a.inf() > b.inf() ? a : b;
+    const Arc_end& next = m_graph.continuation(own)->end;
+    const Interval a = curvature(own), b = curvature(next);
+    return Attained_curvature{a.inf() > b.inf() ? a : b, {next.parameter(), next.parameter()}};
   }
 
   // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.
