@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The part of the convolution of two boundaries that the boundary of the Minkowski sum is on: sums of points with the same direction, where the sum of both curvatures is not negative. Elsewhere the regions, one of them
+reflected, overlap near their contact. So both do not turn to the right, or rest in a reflex corner.
+
+Where directions of both regions are the same at joints or on straight parts, those of the first region are taken for slightly farther to the left. So each sum of straight parts is two pieces, one after the other.
+*/
+class Convolution_2
+{
+  static constexpr double least_width = 0x1p-30;
+  static constexpr int most_parts = 300;
+
+  std::array<const Region_elements_2*, 2> m_regions;
+  std::vector<Convolution_piece_2> m_pieces;
+  std::vector<Interval_pair> m_doubtful;
+
+public:
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second) : m_regions{&first, &second}
+  {
+    for (std::size_t i = 0; i < first.elements().size(); ++i)
+      for (std::size_t j = 0; j < second.elements().size(); ++j)
+        add_sums({i, j});
+  }
+
+  const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
+
+  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is not certain.
+  const std::vector<Interval_pair>& doubtful() const { return m_doubtful; }
+
+private:
+  const Region_element& element(std::size_t region, std::size_t index) const { return m_regions[region]->elements()[index]; }
+
+  void add_sums(const std::array<std::size_t, 2>& elements)
+  {
+    const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
+    if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) || (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
+      return;
+    if (a.turn == Turn::LEFT && !b.is_corner)
+      add_pieces(elements, 0);
+    else if (b.turn == Turn::LEFT && !a.is_corner)
+      add_pieces(elements, 1);
+    else if ((a.turn == Turn::UNKNOWN && b.turn != Turn::RIGHT) || (b.turn == Turn::UNKNOWN && a.turn != Turn::RIGHT) || (a.turn == Turn::UNKNOWN && b.turn == Turn::UNKNOWN))
+      add_doubtful(elements);
+  }
+
+  // Elements with a common direction turn by less than 45 degrees each, so that all of their directions are within 90 degrees of each other.
+  static bool may_have_common_direction(const Region_element& a, const Region_element& b)
+  {
+    for (const Exact_pair& d : a.exact_directions)
+      for (const Exact_pair& e : b.exact_directions)
+        if (sign_of(exact_dot(d, e)) < 0)
+          return false;
+    return true;
+  }
+
+  // Two elements whose turn is not certain: near inflections, or straight.
+  void add_doubtful(const std::array<std::size_t, 2>& elements)
+  {
+    const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
+    const Curve_jet p = m_regions[0]->arcs()[a.arc].jet(a.range, 1), q = m_regions[1]->arcs()[b.arc].jet(b.range, 1);
+    if (certain_sign(cross(p[1], q[1])) == 0)
+      m_doubtful.push_back(p[0] + q[0]);
+  }
+
+  // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the right.
+  struct Side
+  {
+    int sign;
+    bool is_tie;
+  };
+
+  Side side(std::size_t turning, const Region_element& a, std::size_t a_end, const Region_element& b, std::size_t b_end) const
+  {
+    int sign = certain_sign(cross(a.directions[a_end], b.directions[b_end]));
+    if (sign == 0)
+      sign = sign_of(exact_cross(a.exact_directions[a_end], b.exact_directions[b_end]));
+    return sign == 0 ? Side{turning == 0 ? -1 : 1, true} : Side{sign, false};
+  }
+
+  void add_pieces(const std::array<std::size_t, 2>& elements, std::size_t turning)
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    if (b.turn == Turn::UNKNOWN)
+      return add_inflection(elements, turning);
+    std::array<Convolution_end, 2> ends;
+    for (std::size_t e = 0; e < 2; ++e)
+      if (const auto end = end_of_piece(elements, turning, e))
+        ends[e] = *end;
+      else
+        return;
+    const Convolution_piece_2 piece(m_regions, elements, turning, ends);
+    if (b.turn == Turn::RIGHT && !a.is_corner)
+      add_convex_parts(piece);
+    else
+      m_pieces.push_back(piece);
+  }
+
+  // Where the moving element has begun (e = 0) to have common directions with the turning one, or ceases to (e = 1): in its end, or inside in the first or last direction of the turning element.
+  std::optional<Convolution_end> end_of_piece(const std::array<std::size_t, 2>& elements, std::size_t turning, std::size_t e) const
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    const std::size_t limit = (b.turn != Turn::RIGHT) == (e == 0) ? 0 : 1;
+    const int inside = limit == 0 ? 1 : -1;
+    const Side here = side(turning, a, limit, b, e), there = side(turning, a, limit, b, 1 - e);
+    Convolution_end result{};
+    const auto set_joint = [&](std::size_t region, int end) { result.joints[region] = m_regions[region]->joint(elements[region], end); };
+    const double end = e == 0 ? b.range.begin : b.range.end;
+    if (here.sign == inside || here.is_tie) {
+      if (here.sign != inside && there.sign != inside)
+        return std::nullopt;
+      result.range = {end, end};
+      set_joint(1 - turning, static_cast<int>(e));
+      for (std::size_t k = 0; k < 2; ++k)
+        if (side(turning, a, k, b, e).is_tie)
+          set_joint(turning, static_cast<int>(k));
+      return result;
+    }
+    if (there.sign != inside || there.is_tie)
+      return std::nullopt;
+    result.range = parameter_of_direction(m_regions[1 - turning]->arcs()[b.arc], b.range, a.directions[limit], e == 0 ? -here.sign : here.sign);
+    set_joint(turning, static_cast<int>(limit));
+    return result;
+  }
+
+  // Where an arc has a direction that it passes once in a range, and behind which its own directions are on the left (sign 1) or right (-1).
+  static Range parameter_of_direction(const Site_arc_2& arc, const Range& range, const Interval_pair& direction, int sign)
+  {
+    Range result = range;
+    for (bool is_shorter = true; is_shorter;) {
+      is_shorter = false;
+      for (const double part : {0.5, 0.25, 0.75}) {
+        const double t = result.begin + part * result.width();
+        if (!(result.begin < t && t < result.end))
+          continue;
+        if (const int s = certain_sign(cross(direction, arc.jet({t, t}, 1)[1])); s != 0) {
+          (s == sign ? result.end : result.begin) = t;
+          is_shorter = true;
+          break;
+        }
+      }
+    }
+    return result;
+  }
+
+  // A small part with an inflection, all of which has common directions with the turning element, or none.
+  void add_inflection(const std::array<std::size_t, 2>& elements, std::size_t turning)
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    const Curve_jet jet = m_regions[1 - turning]->arcs()[b.arc].jet(b.range, 2);
+    const int first = certain_sign(cross(a.directions[0], jet[1])), last = certain_sign(cross(jet[1], a.directions[1]));
+    if (first < 0 || last < 0)
+      return;
+    std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
+    for (std::size_t e = 0; e < 2; ++e)
+      ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
+    const Convolution_piece_2 piece(m_regions, elements, turning, ends);
+    if (first > 0 && last > 0 && certain_sign(dot(piece(b.range).tangent, jet[1])) > 0)
+      m_pieces.push_back(piece);
+    else
+      m_doubtful.push_back(piece(b.range).point);
+  }
+
+  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc.
+  void add_convex_parts(const Convolution_piece_2& piece)
+  {
+    std::vector<Range> todo{piece.range()}, convex;   // the first part on top
+    for (int count = 0; !todo.empty(); ++count) {
+      const Range part = todo.back();
+      todo.pop_back();
+      const Traced_jet jet = piece(part);
+      const int sign = certain_sign(dot(jet.tangent, piece.arc(piece.element(0).turn == Turn::RIGHT ? 0 : 1).jet(part, 1)[1]));
+      if (sign > 0 && !convex.empty() && convex.back().end == part.begin)
+        convex.back().end = part.end;
+      else if (sign > 0)
+        convex.push_back(part);
+      else if (sign == 0 && (part.width() <= least_width || count > most_parts))
+        m_doubtful.push_back(jet.point);
+      else if (sign == 0) {
+        todo.push_back({part.middle(), part.end});
+        todo.push_back({part.begin, part.middle()});
+      }
+    }
+    for (const Range& part : convex)
+      m_pieces.push_back(piece.restricted(part));
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
