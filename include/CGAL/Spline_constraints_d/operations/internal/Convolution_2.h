@@ -6,8 +6,11 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,12 +55,23 @@ private:
     const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
     if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) || (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
       return;
-    if (a.turn == Turn::LEFT && !b.is_corner)
-      add_pieces(elements, 0);
-    else if (b.turn == Turn::LEFT && !a.is_corner)
-      add_pieces(elements, 1);
+    const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
+    if (can_first_turn || can_second_turn)
+      add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
     else if ((a.turn == Turn::UNKNOWN && b.turn != Turn::RIGHT) || (b.turn == Turn::UNKNOWN && a.turn != Turn::RIGHT) || (a.turn == Turn::UNKNOWN && b.turn == Turn::UNKNOWN))
       add_doubtful(elements);
+  }
+
+  // Of two elements that turn to the left the one with the larger curvature is the turning one: where the curvature is nearly zero, the point is not a smooth function of the direction.
+  double curvature(std::size_t region, const Region_element& element) const
+  {
+    if (element.is_corner)
+      return std::numeric_limits<double>::infinity();
+    const auto at = [&](double t) {
+      const Curve_jet jet = m_regions[region]->arcs()[element.arc].jet({t, t}, 2);
+      return cross(jet[1], jet[2]).inf() / std::pow(squared_norm(jet[1]).inf(), 1.5);
+    };
+    return (std::min)(at(element.range.begin), at(element.range.end));
   }
 
   // Elements with a common direction turn by less than 45 degrees each, so that all of their directions are within 90 degrees of each other.

@@ -106,21 +106,25 @@ private:
     return element(region).is_corner ? std::optional(m_regions[region]->place_of_joint(m_elements[region])) : std::nullopt;
   }
 
-  // Where the derivative of the turning arc has a direction within these bounds: a zero of a function that increases.
+  // Where the derivative of the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where the slope is not certain.
   Range turning_parameter(const Interval_pair& direction) const
   {
-    constexpr double enough = 0.75;
+    constexpr double enough = 0.8;
     const Site_arc_2& a = arc(m_turning);
-    Range u = element(m_turning).range;
-    for (;;) {
-      const double middle = u.middle();
-      const Interval value = cross(direction, a.jet({middle, middle}, 1)[1]), slope = cross(direction, a.jet(u, 2)[2]);
+    const auto value = [&](double t) { return cross(direction, a.jet({t, t}, 1)[1]); };
+    for (Range u = element(m_turning).range;;) {
       Range next = u;
-      if (certain_sign(slope) > 0) {
-        const Interval zero = Interval(middle) - value / slope;
+      if (const Interval slope = cross(direction, a.jet(u, 2)[2]); certain_sign(slope) > 0) {
+        const Interval zero = Interval(u.middle()) - value(u.middle()) / slope;
         next = {(std::min)((std::max)(zero.inf(), u.begin), u.end), (std::max)((std::min)(zero.sup(), u.end), u.begin)};
-      } else if (certain_sign(value) != 0)
-        (certain_sign(value) > 0 ? next.end : next.begin) = middle;
+      } else
+        for (const double part : {0.5, 0.25, 0.75}) {
+          const double t = u.begin + part * u.width();
+          if (const int sign = certain_sign(value(t)); sign != 0) {
+            (sign > 0 ? next.end : next.begin) = t;
+            break;
+          }
+        }
       if (!(next.width() < enough * u.width()))
         return next;
       u = next;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -35,60 +36,61 @@ method with intervals finds it, or proves that there is none.
 class Crossing_finder_2
 {
   using Part = Traced_curve_2::Part;
-  static constexpr std::size_t most_steps = 20000, most_undecided = 64;
+  using Pair = std::array<const Part*, 2>;
+  static constexpr std::size_t most_steps = 4000, most_undecided = 64;
   static constexpr double least_width = 0x1p-44;
 
   std::array<Traced_view_2, 2> m_views;
   std::optional<std::array<int, 2>> m_common_end;   // one curve goes on as the other one: which ends (0 or 1) are the same
   bool m_is_first_enough;
   std::vector<Crossing_2> m_crossings;
-  std::size_t m_steps = 0;
 
 public:
   Crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::optional<std::array<int, 2>> common_end = std::nullopt, bool is_first_enough = false)
     : m_views{first, second}, m_common_end(common_end), m_is_first_enough(is_first_enough)
   {}
 
-  // All crossings; or, on request, the first certain one alone. Where there are too many steps, one undecided crossing for all.
+  // All crossings; or, on request, a certain one alone, if one is found. Where there are too many steps, one undecided crossing for all.
   std::vector<Crossing_2> operator()()
   {
-    const std::array<const Part*, 2> whole{&m_views[0].curve().whole(), &m_views[1].curve().whole()};
-    if (!find(whole))
-      return {{{whole[0]->range(), whole[1]->range()}, false}};
+    const Pair whole{&m_views[0].curve().whole(), &m_views[1].curve().whole()};
+    std::deque<Pair> todo{whole};   // large parts first: what is certain is found before what has to be cut again and again
+    for (std::size_t steps = 0; !todo.empty() && !is_done(); ++steps) {
+      if (steps > most_steps || m_crossings.size() > most_undecided)
+        return {{{whole[0]->range(), whole[1]->range()}, false}};
+      const Pair parts = todo.front();
+      todo.pop_front();
+      if (!are_separated(parts) && !are_joined(parts) && !solve_by_newton(parts))
+        cut(parts, todo);
+    }
     return m_crossings;
   }
 
 private:
   bool is_done() const { return m_is_first_enough && !m_crossings.empty() && m_crossings.back().is_certain; }
 
-  // Returns whether there were few enough steps.
-  bool find(const std::array<const Part*, 2>& parts)
+  // Into halves of the larger part, or an undecided crossing where both are tiny.
+  void cut(const Pair& parts, std::deque<Pair>& todo)
   {
-    if (++m_steps > most_steps || m_crossings.size() > most_undecided)
-      return false;
-    if (is_done() || are_separated(parts) || are_joined(parts))
-      return true;
-    if (solve_by_newton(parts))
-      return true;
-    const std::array<double, 2> extents{extent(*parts[0]), extent(*parts[1])};
-    std::size_t k = extents[0] < extents[1];
-    if (parts[k]->range().width() <= least_width)
-      k = 1 - k;
-    if (parts[k]->range().width() <= least_width) {
+    const auto is_tiny = [&](std::size_t k) { return parts[k]->range().width() <= least_width; };
+    if (is_tiny(0) && is_tiny(1)) {
       m_crossings.push_back({{parts[0]->range(), parts[1]->range()}, false});
-      return true;
+      return;
     }
+    const std::size_t k = is_tiny(0) || (!is_tiny(1) && extent(*parts[0]) < extent(*parts[1]));
     for (const Part& half : m_views[k].curve().halves(*parts[k])) {
-      std::array<const Part*, 2> next = parts;
-      next[k] = &half;
-      if (!find(next))
-        return false;
+      todo.push_back(parts);
+      todo.back()[k] = &half;
     }
-    return true;
   }
 
   static double extent(const Part& part) { return (std::max)(part.box()[0].sup() - part.box()[0].inf(), part.box()[1].sup() - part.box()[1].inf()); }
-  static Interval_pair middle_of(const Interval_pair& x) { return {Interval(x[0].inf() / 2 + x[0].sup() / 2), Interval(x[1].inf() / 2 + x[1].sup() / 2)}; }
+  // Some vector within bounds; zero where these are not finite.
+  static Interval_pair middle_of(const Interval_pair& v)
+  {
+    const double x = v[0].inf() / 2 + v[0].sup() / 2, y = v[1].inf() / 2 + v[1].sup() / 2;
+    return std::isfinite(x) && std::isfinite(y) ? Interval_pair{Interval(x), Interval(y)} : Interval_pair{Interval(0), Interval(0)};
+  }
 
   // Whether the middle of a range is proved to be on the curve.
   bool has_middle(std::size_t k, const Range& range) const
@@ -101,11 +103,11 @@ private:
   static Interval_pair unit_vector(const Interval_pair& v)
   {
     const double x = v[0].inf(), y = v[1].inf(), length = std::hypot(x, y);
-    return {Interval(x / length), Interval(y / length)};
+    return length > 0 ? Interval_pair{Interval(x / length), Interval(y / length)} : v;
   }
 
   // By a line parallel to an axis or about tangential to one of the curves, whose points are middle + tangent * s by the mean value theorem.
-  bool are_separated(const std::array<const Part*, 2>& parts) const
+  bool are_separated(const Pair& parts) const
   {
     if (!may_meet(m_views[0].box(*parts[0]), m_views[1].box(*parts[1])))
       return true;
@@ -121,7 +123,7 @@ private:
   }
 
   // Whether the parts are next to a common end, and go on along a common direction there.
-  bool are_joined(const std::array<const Part*, 2>& parts) const
+  bool are_joined(const Pair& parts) const
   {
     if (!m_common_end)
       return false;
@@ -133,7 +135,7 @@ private:
   }
 
   // Returns whether it is decided if the parts cross.
-  bool solve_by_newton(const std::array<const Part*, 2>& parts)
+  bool solve_by_newton(const Pair& parts)
   {
     constexpr double enough = 0.75;
     std::array<Range, 2> ranges{parts[0]->range(), parts[1]->range()};

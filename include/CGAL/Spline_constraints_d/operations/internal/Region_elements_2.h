@@ -67,7 +67,7 @@ public:
   // A number for the point of a joint: that of the first joint there.
   std::size_t place_of_joint(std::size_t joint) const
   {
-    while (m_elements[joint].is_corner && m_elements[joint].turn == Turn::LEFT)
+    while (m_elements[joint].is_corner)
       joint = m_elements[joint].previous;
     return joint;
   }
@@ -143,6 +143,12 @@ private:
       add({Turn::RIGHT, true, before, {1, 1}, {d0, d1}, {}});
   }
 
+  static bool goes_on_as(const Region_element& a, const Region_element& b)
+  {
+    const bool is_same = !a.is_corner && !b.is_corner && a.arc == b.arc && a.turn == b.turn;
+    return is_same && (a.turn == Turn::UNKNOWN || is_narrow(a.exact_directions[0], b.exact_directions[1]));
+  }
+
   void add_fan(std::size_t arc, const Exact_pair& d0, const Exact_pair& d1)
   {
     if (is_narrow(d0, d1))
@@ -164,8 +170,14 @@ private:
     return sign_of(exact_cross(d0, sum)) > 0 && sign_of(exact_cross(sum, d1)) > 0 ? sum : Exact_pair{Exact_rational(-d0[1]), d0[0]};
   }
 
+  // Adds an element, or puts it together with the last one.
   void add(Region_element element)
   {
+    if (!m_elements.empty() && goes_on_as(m_elements.back(), element)) {
+      element.range.begin = m_elements.back().range.begin;
+      element.exact_directions[0] = m_elements.back().exact_directions[0];
+      m_elements.pop_back();
+    }
     for (std::size_t k = 0; k < 2; ++k)
       element.directions[k] = {interval_of(element.exact_directions[k][0]), interval_of(element.exact_directions[k][1])};
     m_elements.push_back(std::move(element));

@@ -158,6 +158,8 @@ private:
     const double t = section.range.middle();
     const auto [point, tangent] = m_curves[section.piece]({t, t});
     const double x = tangent[0].inf(), y = tangent[1].inf(), length = std::hypot(x, y);
+    if (!(length > 0) || !std::isfinite(length))
+      return CGAL::Uncertain<bool>::indeterminate();
     double distance = m_size / 128;
     for (int trial = 0; trial < most_trials; ++trial, distance /= 4) {
       const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
