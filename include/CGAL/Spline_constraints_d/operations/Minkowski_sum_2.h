@@ -62,12 +62,12 @@ private:
   {
     std::array<std::vector<internal::Boundary_loop_2>, 2> loops;
     internal::Region_elements_2 first, second;
-    internal::Convolution_2 convolution;
     internal::Sum_interior_2 interior;
+    internal::Convolution_2 convolution;
     internal::Sum_boundary_2 boundary;
 
     Model(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
-      : loops{a.loops(), b.loops()}, first(loops[0]), second(loops[1]), convolution(first, second), interior(first, second), boundary(convolution, interior)
+      : loops{a.loops(), b.loops()}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
     {}
   };
 

@@ -5,6 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
+
+#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <array>
@@ -27,15 +30,13 @@ Where directions of both regions are the same at joints or on straight parts, th
 */
 class Convolution_2
 {
-  static constexpr double least_width = 0x1p-30;
-  static constexpr int most_parts = 300;
-
   std::array<const Region_elements_2*, 2> m_regions;
+  const Sum_interior_2& m_interior;
   std::vector<Convolution_piece_2> m_pieces;
   std::vector<Interval_pair> m_doubtful;
 
 public:
-  Convolution_2(const Region_elements_2& first, const Region_elements_2& second) : m_regions{&first, &second}
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior) : m_regions{&first, &second}, m_interior(interior)
   {
     for (std::size_t i = 0; i < first.elements().size(); ++i)
       for (std::size_t j = 0; j < second.elements().size(); ++j)
@@ -44,7 +45,7 @@ public:
 
   const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
 
-  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is not certain.
+  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is not certain, and that are not proved to be inside of the sum either.
   const std::vector<Interval_pair>& doubtful() const { return m_doubtful; }
 
 private:
@@ -59,7 +60,13 @@ private:
     if (can_first_turn || can_second_turn)
       add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
     else if ((a.turn == Turn::UNKNOWN && b.turn != Turn::RIGHT) || (b.turn == Turn::UNKNOWN && a.turn != Turn::RIGHT) || (a.turn == Turn::UNKNOWN && b.turn == Turn::UNKNOWN))
-      add_doubtful(elements);
+      add_unknown_sums(elements);
+  }
+
+  void add_doubtful(const Interval_pair& box)
+  {
+    if (!CGAL::certainly(m_interior.contains(box)))
+      m_doubtful.push_back(box);
   }
 
   // Of two elements that turn to the left the one with the larger curvature is the turning one: where the curvature is nearly zero, the point is not a smooth function of the direction.
@@ -85,12 +92,12 @@ private:
   }
 
   // Two elements whose turn is not certain: near inflections, or straight.
-  void add_doubtful(const std::array<std::size_t, 2>& elements)
+  void add_unknown_sums(const std::array<std::size_t, 2>& elements)
   {
     const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
     const Curve_jet p = m_regions[0]->arcs()[a.arc].jet(a.range, 1), q = m_regions[1]->arcs()[b.arc].jet(b.range, 1);
     if (certain_sign(cross(p[1], q[1])) == 0)
-      m_doubtful.push_back(p[0] + q[0]);
+      add_doubtful(p[0] + q[0]);
   }
 
   // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the right.
@@ -188,31 +195,52 @@ private:
     if (first > 0 && last > 0 && certain_sign(dot(piece(b.range).tangent, jet[1])) > 0)
       m_pieces.push_back(piece);
     else
-      m_doubtful.push_back(piece(b.range).point);
+      add_doubtful(piece(b.range).point);
   }
 
-  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc.
+  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    std::vector<Range> todo{piece.range()}, convex;   // the first part on top
-    for (int count = 0; !todo.empty(); ++count) {
-      const Range part = todo.back();
-      todo.pop_back();
-      const Traced_jet jet = piece(part);
-      const int sign = certain_sign(dot(jet.tangent, piece.arc(piece.element(0).turn == Turn::RIGHT ? 0 : 1).jet(part, 1)[1]));
-      if (sign > 0 && !convex.empty() && convex.back().end == part.begin)
-        convex.back().end = part.end;
-      else if (sign > 0)
-        convex.push_back(part);
-      else if (sign == 0 && (part.width() <= least_width || count > most_parts))
-        m_doubtful.push_back(jet.point);
-      else if (sign == 0) {
-        todo.push_back({part.middle(), part.end});
-        todo.push_back({part.begin, part.middle()});
-      }
+    constexpr double least_width = 0x1p-32, ratio = 0x1p-8;
+    std::vector<Range> convex, unknown{piece.range()};
+    for (double width = ratio; !unknown.empty() && width >= least_width; width *= ratio) {
+      std::vector<Range> parts;
+      for (const Range& range : unknown)
+        append_by_sign(piece, range, width, convex, parts);
+      std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+      unknown = std::move(parts);
     }
+    for (const Range& part : unknown)
+      m_doubtful.push_back(piece(part).point);
+    std::sort(convex.begin(), convex.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
+    std::vector<Range> joined;
     for (const Range& part : convex)
+      append(part, joined);
+    for (const Range& part : joined)
       m_pieces.push_back(piece.restricted(part));
+  }
+
+  // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.
+  void append_by_sign(const Convolution_piece_2& piece, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
+  {
+    const Interval_pair direction = piece.arc(piece.element(0).turn == Turn::RIGHT ? 0 : 1).jet(range, 1)[1];
+    const int sign = certain_sign(dot(piece(range).tangent, direction));
+    if (sign != 0 || range.width() <= width) {
+      if (sign >= 0)
+        append(range, sign > 0 ? positive : unknown);
+      return;
+    }
+    append_by_sign(piece, {range.begin, range.middle()}, width, positive, unknown);
+    append_by_sign(piece, {range.middle(), range.end}, width, positive, unknown);
+  }
+
+  // Appends a range, or joins it with the last one.
+  static void append(const Range& range, std::vector<Range>& ranges)
+  {
+    if (!ranges.empty() && ranges.back().end == range.begin)
+      ranges.back().end = range.end;
+    else
+      ranges.push_back(range);
   }
 };
 

@@ -24,8 +24,8 @@ namespace internal {
 /*
 The boundary of the Minkowski sum of two regions, as sections of the pieces of their convolution.
 
-The pieces are cut where they cross. Then each section is on the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can leave one only in a crossing. One point
-beside a section tells which.
+The pieces are cut where they cross. Then each section, together with those that it goes on as, is on the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can leave
+one only in a crossing. One point beside a section tells which.
 */
 class Sum_boundary_2
 {
@@ -62,11 +62,15 @@ public:
   {
     for (const Convolution_piece_2& piece : convolution.pieces())
       m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range());
+    m_undecided = convolution.doubtful();
     m_size = size_of_all();
-    check_doubtful();
     find_crossings();
-    find_sections();
-    link_sections();
+    const std::vector<Section> all = all_sections();
+    for (const Chain& chain : linked(all, &Sum_boundary_2::goes_on_as))
+      if (is_on_boundary(chain))
+        m_sections.insert(m_sections.end(), chain.sections.begin(), chain.sections.end());
+    m_chains = linked(m_sections, &Sum_boundary_2::is_followed_by);
+    check_chains();
   }
 
   const std::vector<Chain>& chains() const { return m_chains; }
@@ -85,13 +89,6 @@ private:
   }
 
   bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box)); }
-
-  void check_doubtful()
-  {
-    for (const Interval_pair& box : m_convolution.doubtful())
-      if (!is_inside(box))
-        m_undecided.push_back(box);
-  }
 
   void find_crossings()
   {
@@ -125,28 +122,44 @@ private:
     return std::nullopt;
   }
 
-  // The sections between cuts that are on the boundary.
-  void find_sections()
+  // The sections between cuts.
+  std::vector<Section> all_sections()
   {
+    std::vector<Section> result;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
       auto& cuts = m_cuts[i];
       std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first.begin < b.first.begin; });
-      Section section{i, m_curves[i].inner_range(), {}};
-      for (std::size_t k = 0; k <= cuts.size(); ++k) {
-        const bool is_last = k == cuts.size();
-        section.range.end = is_last ? m_curves[i].inner_range().end : cuts[k].first.begin;
-        section.crossings[1] = is_last ? std::nullopt : std::optional<std::size_t>(cuts[k].second);
-        if (!(section.range.begin < section.range.end))   // crossings that are not told apart
-          m_undecided.push_back(m_curves[i]({section.range.end, section.range.begin}).point);
-        else if (const CGAL::Uncertain<bool> is_on_boundary = !has_inside_beside(section); CGAL::possibly(is_on_boundary)) {
-          m_sections.push_back(section);
-          if (!is_on_boundary.is_certain())
-            m_undecided.push_back(m_curves[i](section.range).point);
-        }
-        if (!is_last)
-          section = {i, {cuts[k].first.end, 0}, {cuts[k].second, std::nullopt}};
+      const Range range = m_curves[i].inner_range();
+      Section section{i, range, {}};
+      for (const auto& [cut, crossing] : cuts) {
+        section.range.end = cut.begin;
+        section.crossings[1] = crossing;
+        add_section(section, result);
+        section = {i, {cut.end, range.end}, {crossing, std::nullopt}};
       }
+      add_section(section, result);
     }
+    return result;
+  }
+
+  void add_section(const Section& section, std::vector<Section>& sections)
+  {
+    if (section.range.begin < section.range.end)
+      sections.push_back(section);
+    else if (const Interval_pair box = m_curves[section.piece]({section.range.end, section.range.begin}).point; !is_inside(box))   // crossings that are not told apart
+      m_undecided.push_back(box);
+  }
+
+  // What is not decided is taken for a part of the boundary. Long sections tell more easily.
+  bool is_on_boundary(const Chain& chain)
+  {
+    std::vector<Section> sections = chain.sections;
+    std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
+    for (const Section& section : sections)
+      if (const CGAL::Uncertain<bool> is_inside = has_inside_beside(section); is_inside.is_certain())
+        return !is_inside.make_certain();
+    m_undecided.push_back(m_curves[sections[0].piece](sections[0].range).point);
+    return true;
   }
 
   /*
@@ -184,43 +197,54 @@ private:
     return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
   }
 
-  // Whether a section ends where another one begins.
-  bool is_followed_by(const Section& a, const Section& b) const
-  {
-    if (a.crossings[1] || b.crossings[0])
-      return a.crossings[1] == b.crossings[0];
-    return Convolution_piece_2::are_same(piece(a), 1, piece(b), 0);
-  }
+  // Whether a section ends in an end of its piece, where another one begins.
+  bool goes_on_as(const Section& a, const Section& b) const { return !a.crossings[1] && !b.crossings[0] && Convolution_piece_2::are_same(piece(a), 1, piece(b), 0); }
 
-  void link_sections()
+  // The same, or in a crossing.
+  bool is_followed_by(const Section& a, const Section& b) const { return (a.crossings[1] && a.crossings[1] == b.crossings[0]) || goes_on_as(a, b); }
+
+  // Sections one after the other. Where more than one may follow, none does.
+  std::vector<Chain> linked(const std::vector<Section>& sections, bool (Sum_boundary_2::*follows)(const Section&, const Section&) const) const
   {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    const std::size_t n = m_sections.size();
-    std::vector<std::size_t> next(n, none), previous(n, none);
+    const std::size_t n = sections.size();
+    std::vector<std::size_t> next(n, none), ways_on(n, 0), ways_back(n, 0);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < n; ++k)
-        if (is_followed_by(m_sections[i], m_sections[k])) {
-          if (next[i] != none || previous[k] != none)   // the boundary passes through a point twice
-            m_undecided.push_back(m_curves[m_sections[k].piece]({m_sections[k].range.begin, m_sections[k].range.begin}).point);
-          else {
-            next[i] = k;
-            previous[k] = i;
-          }
+        if ((this->*follows)(sections[i], sections[k])) {
+          next[i] = k;
+          ++ways_on[i];
+          ++ways_back[k];
         }
-    std::vector<bool> is_used(n, false);
-    for (const bool is_open : {true, false})
+    for (std::size_t i = 0; i < n; ++i)
+      if (next[i] != none && (ways_on[i] > 1 || ways_back[next[i]] > 1))
+        next[i] = none;
+    std::vector<bool> has_previous(n, false), is_used(n, false);
+    for (std::size_t i = 0; i < n; ++i)
+      if (next[i] != none)
+        has_previous[next[i]] = true;
+    std::vector<Chain> result;
+    for (const bool is_closed : {false, true})
       for (std::size_t i = 0; i < n; ++i)
-        if (!is_used[i] && (!is_open || previous[i] == none)) {
-          Chain chain{{}, !is_open};
-          std::size_t k = i;
-          for (; k != none && !is_used[k]; k = next[k]) {
+        if (!is_used[i] && (is_closed || !has_previous[i])) {
+          result.push_back({{}, is_closed});
+          for (std::size_t k = i; k != none && !is_used[k]; k = next[k]) {
             is_used[k] = true;
-            chain.sections.push_back(m_sections[k]);
+            result.back().sections.push_back(sections[k]);
           }
-          if (is_open)
-            m_undecided.push_back(m_curves[m_sections[i].piece]({m_sections[i].range.begin, m_sections[i].range.begin}).point);
-          m_chains.push_back(std::move(chain));
         }
+    return result;
+  }
+
+  // The boundary has no ends.
+  void check_chains()
+  {
+    for (const Chain& chain : m_chains)
+      if (!chain.is_closed) {
+        const Section &first = chain.sections.front(), &last = chain.sections.back();
+        m_undecided.push_back(m_curves[first.piece]({first.range.begin, first.range.begin}).point);
+        m_undecided.push_back(m_curves[last.piece]({last.range.end, last.range.end}).point);
+      }
   }
 };
 
