@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -203,11 +204,13 @@ private:
   {
     constexpr double least_width = 0x1p-32, ratio = 0x1p-8;
     std::vector<Range> convex, unknown{piece.range()};
-    for (double width = ratio; !unknown.empty() && width >= least_width; width *= ratio) {
+    bool is_shorter = true;   // not where the sum of the curvatures is zero all along
+    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width; width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
         append_by_sign(piece, range, width, convex, parts);
       std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+      is_shorter = 2 * total_width(parts) < total_width(unknown);
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)
@@ -232,6 +235,11 @@ private:
     }
     append_by_sign(piece, {range.begin, range.middle()}, width, positive, unknown);
     append_by_sign(piece, {range.middle(), range.end}, width, positive, unknown);
+  }
+
+  static double total_width(const std::vector<Range>& ranges)
+  {
+    return std::accumulate(ranges.begin(), ranges.end(), 0.0, [](double sum, const Range& range) { return sum + range.width(); });
   }
 
   // Appends a range, or joins it with the last one.

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -46,7 +47,7 @@ class Region_elements_2
 
   const std::vector<Boundary_loop_2>& m_loops;
   std::vector<Site_arc_2> m_arcs;
-  std::vector<const Boundary_piece*> m_pieces;
+  std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;   // the curve that an arc is a piece of, and the parameters at its ends
   std::vector<Region_element> m_elements;
 
 public:
@@ -72,11 +73,11 @@ public:
     return joint;
   }
 
-  // The curve that an arc is a piece of, and the parameter there.
+  // The curve that an arc is a piece of, and the parameter there, rounded.
   std::pair<std::size_t, double> origin(std::size_t arc, double t) const
   {
-    const auto& [begin, end] = m_pieces[arc]->parameters;
-    return {m_pieces[arc]->curve, to_nearest_double(Exact_rational(begin + to_rational(t) * (end - begin)))};
+    const auto& [curve, ends] = m_origins[arc];
+    return {curve, t == 1 ? ends[1] : std::clamp(ends[0] + t * (ends[1] - ends[0]), (std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]))};
   }
 
 private:
@@ -85,7 +86,7 @@ private:
     const std::size_t first_arc = m_arcs.size(), first_element = m_elements.size();
     for (const Boundary_piece& piece : loop.pieces()) {
       m_arcs.emplace_back(Homogeneous_piece{{0, 1}, piece.coordinates});
-      m_pieces.push_back(&piece);
+      m_origins.push_back({piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
     }
     for (std::size_t i = first_arc; i < m_arcs.size(); ++i) {
       add_parts(i, {0, 1});
