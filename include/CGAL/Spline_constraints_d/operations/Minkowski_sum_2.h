@@ -121,8 +121,8 @@ public:
     const Upward_rounding_guard guard;
     const Section& section = m_model->boundary.chains()[boundary].sections[arc];
     std::vector<Sample> result;
-    for (const double t : parameters_along(section, error)) {
-      Sample sample{internal::kernel_object<Kernel, Point>(point(section, t)), {}};
+    for (const auto& [t, place] : samples_along(section, error)) {
+      Sample sample{internal::kernel_object<Kernel, Point>(place), {}};
       for (std::size_t k = 0; k < 2; ++k)
         sample.parameters[k] = origin(section, k, t).second;
       result.push_back(sample);
@@ -215,33 +215,37 @@ private:
   {
     std::vector<Double_point> result;
     for (const Section& section : chain.sections) {
-      for (const double t : parameters_along(section, error))
-        result.push_back(point(section, t));
+      for (const auto& [t, place] : samples_along(section, error))
+        result.push_back(place);
       if (chain.is_closed || &section != &chain.sections.back())
         result.pop_back();
     }
     return result;
   }
 
-  std::vector<double> parameters_along(const Section& section, double error) const
+  // Parameters and points.
+  using Samples = std::vector<std::pair<double, Double_point>>;
+
+  Samples samples_along(const Section& section, double error) const
   {
     const auto& [begin, end] = section.range;
-    std::vector<double> result{begin};
-    append_parameters(section, begin, end, point(section, begin), point(section, end), error, result, 0);
+    Samples result{{begin, point(section, begin)}};
+    append_samples(section, {end, point(section, end)}, error, result, 0);
     return result;
   }
 
-  void append_parameters(const Section& section, double begin, double end, const Double_point& p, const Double_point& q, double error, std::vector<double>& parameters, int depth) const
+  // Up to an end.
+  void append_samples(const Section& section, const std::pair<double, Double_point>& end, double error, Samples& samples, int depth) const
   {
     constexpr int least_depth = 2, most_depth = 16;
-    const double t = begin / 2 + end / 2;
-    const Double_point m = point(section, t);
+    const auto [t, p] = samples.back();
+    const Double_point &q = end.second, m = point(section, t / 2 + end.first / 2);
     if (depth >= most_depth || (depth >= least_depth && std::hypot(m[0] - (p[0] + q[0]) / 2, m[1] - (p[1] + q[1]) / 2) <= error)) {
-      parameters.push_back(end);
+      samples.push_back(end);
       return;
     }
-    append_parameters(section, begin, t, p, m, error, parameters, depth + 1);
-    append_parameters(section, t, end, m, q, error, parameters, depth + 1);
+    append_samples(section, {t / 2 + end.first / 2, m}, error, samples, depth + 1);
+    append_samples(section, end, error, samples, depth + 1);
   }
 };
 

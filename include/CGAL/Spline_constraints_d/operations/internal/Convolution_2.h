@@ -202,7 +202,7 @@ private:
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, ratio = 0x1p-8;
+    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95;
     std::vector<Range> convex, unknown{piece.range()};
     bool is_shorter = true;   // not where the sum of the curvatures is zero all along
     for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width; width *= ratio) {
@@ -210,7 +210,7 @@ private:
       for (const Range& range : unknown)
         append_by_sign(piece, range, width, convex, parts);
       std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
-      is_shorter = 2 * total_width(parts) < total_width(unknown);
+      is_shorter = total_width(parts) < enough * total_width(unknown);
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)

@@ -159,7 +159,7 @@ private:
     add_fan(arc, between, d1);
   }
 
-  // A direction near the bisector of an angle between 45 and 180 degrees to the left.
+  // A direction near the bisector of an angle between 45 and 180 degrees to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.
   static Exact_pair direction_between(const Exact_pair& d0, const Exact_pair& d1)
   {
     const auto unit = [](const Exact_pair& d) {
@@ -167,7 +167,8 @@ private:
       return std::array<double, 2>{x / length, y / length};
     };
     const auto a = unit(d0), b = unit(d1);
-    const Exact_pair sum{to_rational(a[0] + b[0]), to_rational(a[1] + b[1])};
+    const auto rounded = [](double x) { return to_rational(std::round(64 * x)); };
+    const Exact_pair sum{rounded(a[0] + b[0]), rounded(a[1] + b[1])};
     return sign_of(exact_cross(d0, sum)) > 0 && sign_of(exact_cross(sum, d1)) > 0 ? sum : Exact_pair{Exact_rational(-d0[1]), d0[0]};
   }
 
