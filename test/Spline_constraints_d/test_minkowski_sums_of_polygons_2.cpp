@@ -73,7 +73,7 @@ TEST(minkowski_sums_of_polygons_2, random_polygons)
 
 TEST(minkowski_sums_of_polygons_2, hole)
 {
-  const std::vector<K::Point_2> letter{{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1}, {1, 5}, {5, 5}, {5, 3.5}, {6, 3.5}, {6, 6.5}, {0, 6}}, triangle{{0, 0}, {0.5, 0.0625}, {0.25, 1.25}};
+  const std::vector<K::Point_2> letter{{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1}, {1, 5}, {5, 5}, {5, 3.5}, {6, 3.5}, {6, 6.5}, {0, 6}}, triangle{{0, 0}, {0.5, 0.0625}, {0.3125, 1.25}};
   EXPECT_EQ(expect_sum_of_CGAL({letter.begin(), letter.end()}, {triangle.begin(), triangle.end()}).number_of_holes(), 1u);
 }
 

@@ -60,8 +60,8 @@ private:
     const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
     if (can_first_turn || can_second_turn)
       add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
-    else if ((a.turn == Turn::UNKNOWN && b.turn != Turn::RIGHT) || (b.turn == Turn::UNKNOWN && a.turn != Turn::RIGHT) || (a.turn == Turn::UNKNOWN && b.turn == Turn::UNKNOWN))
-      add_unknown_sums(elements);
+    else if (a.turn == Turn::UNKNOWN || b.turn == Turn::UNKNOWN)
+      add_unknown_sums(elements, a.turn == Turn::UNKNOWN ? 0 : 1);
   }
 
   void add_doubtful(const Interval_pair& box)
@@ -92,13 +92,28 @@ private:
     return true;
   }
 
-  // Two elements whose turn is not certain: near inflections, or straight.
-  void add_unknown_sums(const std::array<std::size_t, 2>& elements)
+  // A small part with an inflection, and an element that does not turn to the left, or is one like that too: common directions, unless the sum of both curvatures is negative.
+  void add_unknown_sums(const std::array<std::size_t, 2>& elements, std::size_t unknown)
   {
-    const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
-    const Curve_jet p = m_regions[0]->arcs()[a.arc].jet(a.range, 1), q = m_regions[1]->arcs()[b.arc].jet(b.range, 1);
-    if (certain_sign(cross(p[1], q[1])) == 0)
-      add_doubtful(p[0] + q[0]);
+    constexpr double least_width = 0x1p-20;
+    const Region_element &a = element(unknown, elements[unknown]), &b = element(1 - unknown, elements[1 - unknown]);
+    const auto curvature = [](const Curve_jet& jet) {
+      const Interval square = squared_norm(jet[1]);
+      return cross(jet[1], jet[2]) / (square * CGAL::sqrt(square));
+    };
+    const Curve_jet p = m_regions[unknown]->arcs()[a.arc].jet(a.range, 2);
+    for (std::vector<Range> todo{b.range}; !todo.empty();) {
+      const Range part = todo.back();
+      todo.pop_back();
+      const Curve_jet q = m_regions[1 - unknown]->arcs()[b.arc].jet(part, 2);
+      if (certain_sign(cross(p[1], q[1])) != 0 || certain_sign(curvature(p) + curvature(q)) < 0)
+        continue;
+      if (b.turn == Turn::RIGHT && part.width() > least_width) {
+        todo.push_back({part.begin, part.middle()});
+        todo.push_back({part.middle(), part.end});
+      } else
+        add_doubtful(p[0] + q[0]);
+    }
   }
 
   // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the right.
