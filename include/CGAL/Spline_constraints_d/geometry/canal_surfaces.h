@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_3.h>
 #include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/Vector_function.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/spline_axes.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
@@ -19,23 +20,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// The continuous function of one parameter with these pieces between breaks.
-inline Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces, const std::vector<Exact_rational>& breaks, const std::string& discontinuity)
-{
-  const int degree = pieces[0].degree(0);
-  std::vector<Exact_rational> knots(1, breaks[0]), coefficients = pieces[0].coefficients();
-  for (const Exact_rational& t : breaks)
-    knots.insert(knots.end(), static_cast<std::size_t>(degree), t);
-  knots.push_back(breaks.back());
-  for (std::size_t c = 1; c < pieces.size(); ++c) {
-    const std::vector<Exact_rational>& next = pieces[c].coefficients();
-    if (next.front() != coefficients.back())
-      throw Invalid_input(discontinuity);
-    coefficients.insert(coefficients.end(), next.begin() + 1, next.end());
-  }
-  return Exact_function({degree}, {knots}, std::move(coefficients));
-}
 
 // A multiple of the first derivative of a curve that is a piecewise polynomial: the derivative itself, of rational curves times the square of the weight.
 inline Vector_function<3> direction_function(const Exact_space_curve& curve, const std::string& who)

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CURVE_PAIR_LOCUS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/operations/Curve_pair_sample.h>
 #include <CGAL/Spline_constraints_d/operations/Intersection_curve.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
@@ -38,21 +39,6 @@ inline std::array<double, 3> on_sphere(const Double_pair& point, double radius)
 }
 
 } // namespace internal
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
-A point that belongs to one point on each of two curves.
-*/
-template <SplineKernel Kernel>
-struct Curve_pair_sample
-{
-  //! the point.
-  typename Kernel::Point_2 point;
-
-  //! the parameters of the two points.
-  std::array<double, 2> parameters;
-};
 
 /*!
 \ingroup PkgSplineConstraintsDOperations

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_SPLINE_AXES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_SPLINE_AXES_H
 
+#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/knot_vector.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
@@ -138,6 +139,23 @@ inline std::optional<Exact_function> without_knot(const Exact_function& f, int a
   std::vector<std::vector<Exact_rational>> knots = all_knots(f);
   knots[axis] = *coarse.knots;
   return Exact_function(f.degrees(), std::move(knots), candidate);
+}
+
+// The continuous function of one parameter with these pieces between breaks.
+inline Exact_function joined(const std::vector<Bernstein_tensor<Exact_rational>>& pieces, const std::vector<Exact_rational>& breaks, const std::string& discontinuity)
+{
+  const int degree = pieces[0].degree(0);
+  std::vector<Exact_rational> knots(1, breaks[0]), coefficients = pieces[0].coefficients();
+  for (const Exact_rational& t : breaks)
+    knots.insert(knots.end(), static_cast<std::size_t>(degree), t);
+  knots.push_back(breaks.back());
+  for (std::size_t c = 1; c < pieces.size(); ++c) {
+    const std::vector<Exact_rational>& next = pieces[c].coefficients();
+    if (next.front() != coefficients.back())
+      throw Invalid_input(discontinuity);
+    coefficients.insert(coefficients.end(), next.begin() + 1, next.end());
+  }
+  return Exact_function({degree}, {knots}, std::move(coefficients));
 }
 
 // The functions on common degrees and knots: adding zero times each of the others brings them there.

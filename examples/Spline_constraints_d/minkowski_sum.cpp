@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The Minkowski sum of two regions with curved edges: all that one of them covers when it is moved along the other one. The second region has corners, and closes the bay of the first one, so that the sum has a hole.
+//
+// Writes minkowski_sum.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Point = K::Point_2;
+
+// To 1/1024: short enough for a drawing.
+std::vector<Point> rounded(std::vector<Point> points)
+{
+  for (Point& p : points)
+    p = Point(std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024);
+  return points;
+}
+
+int main()
+{
+  try {
+    const auto bay = SC::Bspline_curve_2<K>::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {{0, 0}, {8, -1}, {9, 4}, {2, 0.5}, {2, 6.5}, {9, 3}, {8, 8}, {0, 7}});
+    const std::vector<SC::Bspline_curve_2<K>> leaf{SC::bezier_curve<K>({{0, -1}, {1, -0.5}, {1, 0.75}, {0, 1.25}}), SC::bezier_curve<K>({{0, 1.25}, {-0.5, 0.5}, {-0.5, -0.25}, {0, -1}})};
+    const auto a = SC::planar_region(bay), b = SC::planar_region(leaf);
+    const auto sum = SC::minkowski_sum(a, b);
+
+    CGAL::Bbox_2 box;
+    const auto polygons = sum.polygons_with_holes(2e-3);
+    for (const auto& polygon : polygons)
+      box += polygon.bbox();
+    std::ofstream file("minkowski_sum.svg");
+    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - 0.1, box.ymin() - 0.1, box.xmax() + 0.1, box.ymax() + 0.1), 600);
+    for (const auto& polygon : polygons) {
+      picture.polygon(rounded({polygon.outer_boundary().begin(), polygon.outer_boundary().end()}), "#dbe9f6");
+      for (const auto& hole : polygon.holes())
+        picture.polygon(rounded({hole.begin(), hole.end()}), "white");
+    }
+    for (double t = 0; t < bay.domain().second; t += 0.25)
+      for (const auto& curve : leaf)
+        picture.curve(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, bay(t) - CGAL::ORIGIN)), "#aaa", 1);
+    picture.curve(bay, "black", 3);
+    for (std::size_t i = 0; i < sum.boundaries().size(); ++i)
+      for (std::size_t k = 0; k < sum.boundaries()[i].arcs.size(); ++k) {
+        std::vector<Point> points;
+        for (const auto& sample : sum.polyline(i, k, 2e-3))
+          points.push_back(sample.point);
+        picture.curve(SC::polyline_curve(rounded(points)), "#d62728", 3);
+      }
+
+    for (const auto& boundary : sum.boundaries())
+      std::cout << (boundary.is_hole ? "a hole of " : "an outer boundary of ") << boundary.arcs.size() << " arcs\n";
+    std::cout << "complete: " << (sum.is_complete() ? "yes" : "no") << '\n';
+    return sum.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
+
+#include <CGAL/Uncertain.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The part of the convolution of two boundaries that the boundary of the Minkowski sum is on: sums of points with the same direction, where the sum of both curvatures is not negative. Elsewhere the regions, one of them
+reflected, overlap near their contact. So both do not turn to the right, or rest in a reflex corner.
+
+Where directions of both regions are the same at joints or on straight parts, those of the first region are taken for slightly farther to the left. So each sum of straight parts is two pieces, one after the other.
+*/
+class Convolution_2
+{
+  std::array<const Region_elements_2*, 2> m_regions;
+  const Sum_interior_2& m_interior;
+  std::vector<Convolution_piece_2> m_pieces;
+  std::vector<Interval_pair> m_doubtful;
+
+public:
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior) : m_regions{&first, &second}, m_interior(interior)
+  {
+    for (std::size_t i = 0; i < first.elements().size(); ++i)
+      for (std::size_t j = 0; j < second.elements().size(); ++j)
+        add_sums({i, j});
+  }
+
+  const std::vector<Convolution_piece_2>& pieces() const { return m_pieces; }
+
+  // Boxes with points of the convolution that are in none of the pieces, because the sign of the sum of curvatures is not certain, and that are not proved to be inside of the sum either.
+  const std::vector<Interval_pair>& doubtful() const { return m_doubtful; }
+
+private:
+  const Region_element& element(std::size_t region, std::size_t index) const { return m_regions[region]->elements()[index]; }
+
+  void add_sums(const std::array<std::size_t, 2>& elements)
+  {
+    const Region_element &a = element(0, elements[0]), &b = element(1, elements[1]);
+    if ((a.is_corner && a.turn != Turn::LEFT) || (b.is_corner && b.turn != Turn::LEFT) || (a.is_corner && b.is_corner) || !may_have_common_direction(a, b))
+      return;
+    const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
+    if (can_first_turn || can_second_turn)
+      add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
+    else if (a.turn == Turn::UNKNOWN || b.turn == Turn::UNKNOWN)
+      add_unknown_sums(elements, a.turn == Turn::UNKNOWN ? 0 : 1);
+  }
+
+  void add_doubtful(const Interval_pair& box)
+  {
+    if (!CGAL::certainly(m_interior.contains(box)))
+      m_doubtful.push_back(box);
+  }
+
+  // Of two elements that turn to the left the one with the larger curvature is the turning one: where the curvature is nearly zero, the point is not a smooth function of the direction.
+  double curvature(std::size_t region, const Region_element& element) const
+  {
+    if (element.is_corner)
+      return std::numeric_limits<double>::infinity();
+    const auto at = [&](double t) {
+      const Curve_jet jet = m_regions[region]->arcs()[element.arc].jet({t, t}, 2);
+      return cross(jet[1], jet[2]).inf() / std::pow(squared_norm(jet[1]).inf(), 1.5);
+    };
+    return (std::min)(at(element.range.begin), at(element.range.end));
+  }
+
+  // Elements with a common direction turn by less than 45 degrees each, so that all of their directions are within 90 degrees of each other.
+  static bool may_have_common_direction(const Region_element& a, const Region_element& b)
+  {
+    for (const Exact_pair& d : a.exact_directions)
+      for (const Exact_pair& e : b.exact_directions)
+        if (sign_of(exact_dot(d, e)) < 0)
+          return false;
+    return true;
+  }
+
+  // A small part with an inflection, and an element that does not turn to the left, or is one like that too: common directions, unless the sum of both curvatures is negative.
+  void add_unknown_sums(const std::array<std::size_t, 2>& elements, std::size_t unknown)
+  {
+    constexpr double least_width = 0x1p-20;
+    const Region_element &a = element(unknown, elements[unknown]), &b = element(1 - unknown, elements[1 - unknown]);
+    const auto curvature = [](const Curve_jet& jet) {
+      const Interval square = squared_norm(jet[1]);
+      return cross(jet[1], jet[2]) / (square * CGAL::sqrt(square));
+    };
+    const Curve_jet p = m_regions[unknown]->arcs()[a.arc].jet(a.range, 2);
+    for (std::vector<Range> todo{b.range}; !todo.empty();) {
+      const Range part = todo.back();
+      todo.pop_back();
+      const Curve_jet q = m_regions[1 - unknown]->arcs()[b.arc].jet(part, 2);
+      if (certain_sign(cross(p[1], q[1])) != 0 || certain_sign(curvature(p) + curvature(q)) < 0)
+        continue;
+      if (b.turn == Turn::RIGHT && part.width() > least_width) {
+        todo.push_back({part.begin, part.middle()});
+        todo.push_back({part.middle(), part.end});
+      } else
+        add_doubtful(p[0] + q[0]);
+    }
+  }
+
+  // On which side of a direction of the turning element one of the moving element is: 1 on the left, and -1 on the right.
+  struct Side
+  {
+    int sign;
+    bool is_tie;
+  };
+
+  Side side(std::size_t turning, const Region_element& a, std::size_t a_end, const Region_element& b, std::size_t b_end) const
+  {
+    int sign = certain_sign(cross(a.directions[a_end], b.directions[b_end]));
+    if (sign == 0)
+      sign = sign_of(exact_cross(a.exact_directions[a_end], b.exact_directions[b_end]));
+    return sign == 0 ? Side{turning == 0 ? -1 : 1, true} : Side{sign, false};
+  }
+
+  void add_pieces(const std::array<std::size_t, 2>& elements, std::size_t turning)
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    if (b.turn == Turn::UNKNOWN)
+      return add_inflection(elements, turning);
+    std::array<Convolution_end, 2> ends;
+    for (std::size_t e = 0; e < 2; ++e)
+      if (const auto end = end_of_piece(elements, turning, e))
+        ends[e] = *end;
+      else
+        return;
+    const Convolution_piece_2 piece(m_regions, elements, turning, ends);
+    if (b.turn == Turn::RIGHT && !a.is_corner)
+      add_convex_parts(piece);
+    else
+      m_pieces.push_back(piece);
+  }
+
+  // Where the moving element has begun (e = 0) to have common directions with the turning one, or ceases to (e = 1): in its end, or inside in the first or last direction of the turning element.
+  std::optional<Convolution_end> end_of_piece(const std::array<std::size_t, 2>& elements, std::size_t turning, std::size_t e) const
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    const std::size_t limit = (b.turn != Turn::RIGHT) == (e == 0) ? 0 : 1;
+    const int inside = limit == 0 ? 1 : -1;
+    const Side here = side(turning, a, limit, b, e), there = side(turning, a, limit, b, 1 - e);
+    Convolution_end result{};
+    const auto set_joint = [&](std::size_t region, int end) { result.joints[region] = m_regions[region]->joint(elements[region], end); };
+    const double end = e == 0 ? b.range.begin : b.range.end;
+    if (here.sign == inside || here.is_tie) {
+      if (here.sign != inside && there.sign != inside)
+        return std::nullopt;
+      result.range = {end, end};
+      set_joint(1 - turning, static_cast<int>(e));
+      for (std::size_t k = 0; k < 2; ++k)
+        if (side(turning, a, k, b, e).is_tie)
+          set_joint(turning, static_cast<int>(k));
+      return result;
+    }
+    if (there.sign != inside || there.is_tie)
+      return std::nullopt;
+    result.range = parameter_of_direction(m_regions[1 - turning]->arcs()[b.arc], b.range, a.directions[limit], e == 0 ? -here.sign : here.sign);
+    set_joint(turning, static_cast<int>(limit));
+    return result;
+  }
+
+  // Where an arc has a direction that it passes once in a range, and behind which its own directions are on the left (sign 1) or right (-1).
+  static Range parameter_of_direction(const Site_arc_2& arc, const Range& range, const Interval_pair& direction, int sign)
+  {
+    Range result = range;
+    for (bool is_shorter = true; is_shorter;) {
+      is_shorter = false;
+      for (const double part : {0.5, 0.25, 0.75}) {
+        const double t = result.begin + part * result.width();
+        if (!(result.begin < t && t < result.end))
+          continue;
+        if (const int s = certain_sign(cross(direction, arc.jet({t, t}, 1)[1])); s != 0) {
+          (s == sign ? result.end : result.begin) = t;
+          is_shorter = true;
+          break;
+        }
+      }
+    }
+    return result;
+  }
+
+  // A small part with an inflection, all of which has common directions with the turning element, or none.
+  void add_inflection(const std::array<std::size_t, 2>& elements, std::size_t turning)
+  {
+    const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    const Curve_jet jet = m_regions[1 - turning]->arcs()[b.arc].jet(b.range, 2);
+    const int first = certain_sign(cross(a.directions[0], jet[1])), last = certain_sign(cross(jet[1], a.directions[1]));
+    if (first < 0 || last < 0)
+      return;
+    std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
+    for (std::size_t e = 0; e < 2; ++e)
+      ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
+    const Convolution_piece_2 piece(m_regions, elements, turning, ends);
+    if (first > 0 && last > 0 && certain_sign(dot(piece(b.range).tangent, jet[1])) > 0)
+      m_pieces.push_back(piece);
+    else
+      add_doubtful(piece(b.range).point);
+  }
+
+  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
+  void add_convex_parts(const Convolution_piece_2& piece)
+  {
+    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95;
+    std::vector<Range> convex, unknown{piece.range()};
+    bool is_shorter = true;   // not where the sum of the curvatures is zero all along
+    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width; width *= ratio) {
+      std::vector<Range> parts;
+      for (const Range& range : unknown)
+        append_by_sign(piece, range, width, convex, parts);
+      std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+      is_shorter = total_width(parts) < enough * total_width(unknown);
+      unknown = std::move(parts);
+    }
+    for (const Range& part : unknown)
+      m_doubtful.push_back(piece(part).point);
+    std::sort(convex.begin(), convex.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
+    std::vector<Range> joined;
+    for (const Range& part : convex)
+      append(part, joined);
+    for (const Range& part : joined)
+      m_pieces.push_back(piece.restricted(part));
+  }
+
+  // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.
+  void append_by_sign(const Convolution_piece_2& piece, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
+  {
+    const Interval_pair direction = piece.arc(piece.element(0).turn == Turn::RIGHT ? 0 : 1).jet(range, 1)[1];
+    const int sign = certain_sign(dot(piece(range).tangent, direction));
+    if (sign != 0 || range.width() <= width) {
+      if (sign >= 0)
+        append(range, sign > 0 ? positive : unknown);
+      return;
+    }
+    append_by_sign(piece, {range.begin, range.middle()}, width, positive, unknown);
+    append_by_sign(piece, {range.middle(), range.end}, width, positive, unknown);
+  }
+
+  static double total_width(const std::vector<Range>& ranges)
+  {
+    return std::accumulate(ranges.begin(), ranges.end(), 0.0, [](double sum, const Range& range) { return sum + range.width(); });
+  }
+
+  // Appends a range, or joins it with the last one.
+  static void append(const Range& range, std::vector<Range>& ranges)
+  {
+    if (!ranges.empty() && ranges.back().end == range.begin)
+      ranges.back().end = range.end;
+    else
+      ranges.push_back(range);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H

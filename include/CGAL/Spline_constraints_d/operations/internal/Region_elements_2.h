@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_ELEMENTS_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_ELEMENTS_2_H
+
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+inline Interval cross(const Interval_pair& a, const Interval_pair& b) { return dot(turned_left(a), b); }
+
+// How the direction of a boundary changes along a part of it.
+enum class Turn { LEFT, RIGHT, STRAIGHT, UNKNOWN };
+
+// A part of a boundary along which its direction changes monotonically, by at most 45 degrees if to the left: a part of an arc, or the directions between the two arcs of a corner.
+struct Region_element
+{
+  Turn turn;
+  bool is_corner;
+  std::size_t arc;                               // that of a part; or that which ends in the corner
+  Range range;                                   // of the parameter of the arc
+  std::array<Exact_pair, 2> exact_directions;    // at the begin and the end
+  std::array<Interval_pair, 2> directions;
+  std::size_t previous = 0;                      // the element before; the joint of two elements has the number of the one that ends there
+};
+
+/*
+The boundaries of a region as cycles of elements. Where the boundary turns to the left, the region is locally convex.
+*/
+class Region_elements_2
+{
+  static constexpr double least_width = 0x1p-40;   // of a part that may contain an inflection
+
+  const std::vector<Boundary_loop_2>& m_loops;
+  std::vector<Site_arc_2> m_arcs;
+  std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;   // the curve that an arc is a piece of, and the parameters at its ends
+  std::vector<Region_element> m_elements;
+
+public:
+  //! \throws Invalid_input when a derivative is zero, or the boundary turns back.
+  explicit Region_elements_2(const std::vector<Boundary_loop_2>& loops) : m_loops(loops)
+  {
+    for (const Boundary_loop_2& loop : loops)
+      add_loop(loop);
+  }
+
+  const std::vector<Boundary_loop_2>& loops() const { return m_loops; }
+  const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
+  const std::vector<Region_element>& elements() const { return m_elements; }
+
+  // The joint at the begin (0) or end (1) of an element.
+  std::size_t joint(std::size_t element, int side) const { return side == 1 ? element : m_elements[element].previous; }
+
+  // A number for the point of a joint: that of the first joint there.
+  std::size_t place_of_joint(std::size_t joint) const
+  {
+    while (m_elements[joint].is_corner)
+      joint = m_elements[joint].previous;
+    return joint;
+  }
+
+  // The curve that an arc is a piece of, and the parameter there, rounded.
+  std::pair<std::size_t, double> origin(std::size_t arc, double t) const
+  {
+    const auto& [curve, ends] = m_origins[arc];
+    return {curve, t == 1 ? ends[1] : std::clamp(ends[0] + t * (ends[1] - ends[0]), (std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]))};
+  }
+
+private:
+  void add_loop(const Boundary_loop_2& loop)
+  {
+    const std::size_t first_arc = m_arcs.size(), first_element = m_elements.size();
+    for (const Boundary_piece& piece : loop.pieces()) {
+      m_arcs.emplace_back(Homogeneous_piece{{0, 1}, piece.coordinates});
+      m_origins.push_back({piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
+    }
+    for (std::size_t i = first_arc; i < m_arcs.size(); ++i) {
+      add_parts(i, {0, 1});
+      add_corner(i, i + 1 < m_arcs.size() ? i + 1 : first_arc);
+    }
+    for (std::size_t i = first_element; i < m_elements.size(); ++i)
+      m_elements[i].previous = i > first_element ? i - 1 : m_elements.size() - 1;
+  }
+
+  // Whether the angle between two directions is at most 45 degrees.
+  static bool is_narrow(const Exact_pair& a, const Exact_pair& b) { return exact_dot(a, b) >= CGAL::abs(exact_cross(a, b)); }
+
+  void add_parts(std::size_t arc, const Range& range)
+  {
+    const Site_arc_2& a = m_arcs[arc];
+    const Exact_pair d0 = direction(arc, range.begin), d1 = direction(arc, range.end);
+    if (a.is_straight())
+      return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
+    const Curve_jet jet = a.jet(range, 2);
+    const int turn = certain_sign(cross(jet[1], jet[2]));
+    const bool is_regular = certain_sign(squared_norm_of(jet[1])) > 0;
+    if (turn != 0 && is_regular && is_narrow(d0, d1))
+      return add({turn > 0 ? Turn::LEFT : Turn::RIGHT, false, arc, range, {d0, d1}, {}});
+    if (range.width() > least_width) {
+      add_parts(arc, {range.begin, range.middle()});
+      add_parts(arc, {range.middle(), range.end});
+      return;
+    }
+    if (!is_regular)
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) + " is zero, or nearly so, at parameter " + std::to_string(origin(arc, range.begin).second));
+    add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
+  }
+
+  // The inner product of each two vectors within these bounds: positive if they are all within 90 degrees of each other.
+  static Interval squared_norm_of(const Interval_pair& v) { return dot(v, v); }
+
+  // Up to its length.
+  Exact_pair direction(std::size_t arc, double t) const
+  {
+    const Exact_pair d = m_arcs[arc].direction_at(to_rational(t));
+    if (sign_of(d[0]) == 0 && sign_of(d[1]) == 0)
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + std::to_string(origin(arc, t).second));
+    return d;
+  }
+
+  void add_corner(std::size_t before, std::size_t after)
+  {
+    const Exact_pair d0 = direction(before, 1), d1 = direction(after, 0);
+    const int turn = sign_of(exact_cross(d0, d1));
+    if (turn == 0 && sign_of(exact_dot(d0, d1)) < 0)
+      throw Invalid_input("the boundary turns back at the end of curve " + std::to_string(origin(before, 1).first));
+    if (turn > 0)
+      add_fan(before, d0, d1);
+    else if (turn < 0)
+      add({Turn::RIGHT, true, before, {1, 1}, {d0, d1}, {}});
+  }
+
+  static bool goes_on_as(const Region_element& a, const Region_element& b)
+  {
+    const bool is_same = !a.is_corner && !b.is_corner && a.arc == b.arc && a.turn == b.turn;
+    return is_same && (a.turn == Turn::UNKNOWN || is_narrow(a.exact_directions[0], b.exact_directions[1]));
+  }
+
+  void add_fan(std::size_t arc, const Exact_pair& d0, const Exact_pair& d1)
+  {
+    if (is_narrow(d0, d1))
+      return add({Turn::LEFT, true, arc, {1, 1}, {d0, d1}, {}});
+    const Exact_pair between = direction_between(d0, d1);
+    add_fan(arc, d0, between);
+    add_fan(arc, between, d1);
+  }
+
+  // A direction near the bisector of an angle between 45 and 180 degrees to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.
+  static Exact_pair direction_between(const Exact_pair& d0, const Exact_pair& d1)
+  {
+    const auto unit = [](const Exact_pair& d) {
+      const double x = to_nearest_double(d[0]), y = to_nearest_double(d[1]), length = std::hypot(x, y);
+      return std::array<double, 2>{x / length, y / length};
+    };
+    const auto a = unit(d0), b = unit(d1);
+    const auto rounded = [](double x) { return to_rational(std::round(64 * x)); };
+    const Exact_pair sum{rounded(a[0] + b[0]), rounded(a[1] + b[1])};
+    return sign_of(exact_cross(d0, sum)) > 0 && sign_of(exact_cross(sum, d1)) > 0 ? sum : Exact_pair{Exact_rational(-d0[1]), d0[0]};
+  }
+
+  // Adds an element, or puts it together with the last one.
+  void add(Region_element element)
+  {
+    if (!m_elements.empty() && goes_on_as(m_elements.back(), element)) {
+      element.range.begin = m_elements.back().range.begin;
+      element.exact_directions[0] = m_elements.back().exact_directions[0];
+      m_elements.pop_back();
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+      element.directions[k] = {interval_of(element.exact_directions[k][0]), interval_of(element.exact_directions[k][1])};
+    m_elements.push_back(std::move(element));
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_ELEMENTS_2_H

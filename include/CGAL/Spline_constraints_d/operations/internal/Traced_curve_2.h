@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TRACED_CURVE_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TRACED_CURVE_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A point of a curve and its derivative, or enclosures of them over a range.
+struct Traced_jet
+{
+  Interval_pair point, tangent;
+};
+
+/*
+A curve that is known by enclosures of its points and derivatives over ranges of its parameter, which are kept for the ranges that halving makes.
+*/
+class Traced_curve_2
+{
+public:
+  using Evaluation = std::function<Traced_jet(const Range&)>;
+
+  // A range with what is known there.
+  class Part
+  {
+    friend Traced_curve_2;
+
+    Range m_range;
+    Interval_pair m_middle_point;
+    Traced_jet m_jet;
+    mutable std::unique_ptr<std::array<Part, 2>> m_halves;
+
+  public:
+    const Range& range() const { return m_range; }
+    const Interval_pair& middle_point() const { return m_middle_point; }
+    const Interval_pair& box() const { return m_jet.point; }
+    const Interval_pair& tangent() const { return m_jet.tangent; }
+  };
+
+private:
+  Evaluation m_evaluation;
+  Range m_inner;
+  std::unique_ptr<const Part> m_whole;
+
+public:
+  // The curve over a range. Its ends may be known up to small ranges only: between these is the inner range.
+  Traced_curve_2(Evaluation evaluation, const Range& range, const Range& inner) : m_evaluation(std::move(evaluation)), m_inner(inner), m_whole(std::make_unique<Part>(part(range))) {}
+
+  const Part& whole() const { return *m_whole; }
+  const Range& range() const { return m_whole->range(); }
+  const Range& inner_range() const { return m_inner; }
+  Traced_jet operator()(const Range& range) const { return m_evaluation(range); }
+
+  const std::array<Part, 2>& halves(const Part& of) const
+  {
+    if (!of.m_halves) {
+      const auto& [begin, end] = of.m_range;
+      const double middle = of.m_range.middle();
+      of.m_halves = std::make_unique<std::array<Part, 2>>(std::array<Part, 2>{part({begin, middle}), part({middle, end})});
+    }
+    return *of.m_halves;
+  }
+
+  Part part(const Range& range) const
+  {
+    Part result;
+    result.m_range = range;
+    result.m_jet = m_evaluation(range);
+    result.m_middle_point = m_evaluation({range.middle(), range.middle()}).point;
+    return result;
+  }
+};
+
+// A curve, or its reflection in a point p: offset - C(t), where the offset is 2 p.
+class Traced_view_2
+{
+  const Traced_curve_2* m_curve;
+  std::optional<Interval_pair> m_offset;
+
+public:
+  using Part = Traced_curve_2::Part;
+
+  explicit Traced_view_2(const Traced_curve_2& curve, std::optional<Interval_pair> offset = std::nullopt) : m_curve(&curve), m_offset(offset) {}
+
+  const Traced_curve_2& curve() const { return *m_curve; }
+  Interval_pair box(const Part& part) const { return seen(part.box()); }
+  Interval_pair middle_point(const Part& part) const { return seen(part.middle_point()); }
+  Interval_pair tangent(const Part& part) const { return m_offset ? Interval_pair{-part.tangent()[0], -part.tangent()[1]} : part.tangent(); }
+
+private:
+  Interval_pair seen(const Interval_pair& point) const { return m_offset ? *m_offset - point : point; }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TRACED_CURVE_2_H

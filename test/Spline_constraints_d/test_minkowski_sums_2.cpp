@@ -1,0 +1,263 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Minkowski sums of regions with curved edges: closed forms, support functions, distances from a region, and invariants.
+
+#include "geometry_test_tools.h"
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using K = Double_cartesian;
+using Point = K::Point_2;
+using Vector = K::Vector_2;
+using Curve = SC::Bspline_curve_2<K>;
+using Curves = std::vector<Curve>;
+using Region = SC::Planar_region_2<K>;
+using Sum = SC::Minkowski_sum_2<K>;
+
+Curve circle(double x, double y, double radius) { return SC::circle_curve(Point(x, y), radius); }
+Region disk(double radius) { return SC::planar_region(circle(0, 0, radius)); }
+Region polygon(const std::vector<Point>& points) { return SC::planar_region(CGAL::Polygon_2<K>(points.begin(), points.end())); }
+Region smooth_region(const std::vector<Point>& points)
+{
+  std::vector<double> period;
+  for (std::size_t i = 0; i <= points.size(); ++i)
+    period.push_back(static_cast<double>(i));
+  return SC::planar_region(Curve::from_periodic(3, period, points));
+}
+Region letter() { return polygon({{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1}, {1, 5}, {5, 5}, {5, 3.5}, {6, 3.5}, {6, 6.5}, {0, 6}}); }
+Region kidney() { return smooth_region({{0, 0}, {4, 0}, {4, 3}, {2, 1}, {2, 4}, {0, 5}, {-1, 2}}); }
+Region moon() { return smooth_region({{0, 0}, {2, 0}, {0.75, 0.75}, {2.25, 2}, {0, 1.5}}); }
+
+std::vector<Point> samples(const Sum& sum, std::size_t boundary, double error)
+{
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < sum.boundaries()[boundary].arcs.size(); ++i)
+    for (const auto& sample : sum.polyline(boundary, i, error))
+      result.push_back(sample.point);
+  return result;
+}
+
+double area(const Sum& sum)
+{
+  double result = 0;
+  const auto add = [&](const CGAL::Polygon_2<K>& polygon) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+      result += (p.x() * q.y() - q.x() * p.y()) / 2;
+    }
+  };
+  for (const auto& polygon : sum.polygons_with_holes(1e-5)) {
+    add(polygon.outer_boundary());
+    std::for_each(polygon.holes_begin(), polygon.holes_end(), add);
+  }
+  return result;
+}
+
+double distance(const Point& p, const std::vector<Point>& polyline)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+    const Vector side = polyline[i + 1] - polyline[i], arm = p - polyline[i];
+    const double t = side.squared_length() > 0 ? std::clamp(side * arm / side.squared_length(), 0.0, 1.0) : 0;
+    result = std::min(result, std::sqrt((arm - t * side).squared_length()));
+  }
+  return result;
+}
+
+void expect_complete(const Sum& sum, std::size_t boundaries, std::size_t holes)
+{
+  EXPECT_TRUE(sum.is_complete());
+  EXPECT_TRUE(sum.undecided().empty());
+  EXPECT_EQ(sum.boundaries().size(), boundaries);
+  EXPECT_EQ(std::count_if(sum.boundaries().begin(), sum.boundaries().end(), [](const auto& b) { return b.is_hole; }), static_cast<std::ptrdiff_t>(holes));
+  for (const auto& boundary : sum.boundaries())
+    EXPECT_TRUE(boundary.is_closed);
+}
+
+// Samples are sums of points of the curves at their parameters, and each arc begins where the one before ends.
+void expect_origins(const Region& a, const Region& b, const Sum& sum)
+{
+  for (std::size_t k = 0; k < sum.boundaries().size(); ++k) {
+    Point last = samples(sum, k, 1e-2).back();
+    for (std::size_t i = 0; i < sum.boundaries()[k].arcs.size(); ++i) {
+      const auto& arc = sum.boundaries()[k].arcs[i];
+      const auto polyline = sum.polyline(k, i, 1e-2);
+      for (const auto& [point, parameters] : polyline) {
+        const Point expected = a.curves()[arc.curves[0]](parameters[0]) + (b.curves()[arc.curves[1]](parameters[1]) - CGAL::ORIGIN);
+        EXPECT_LT(CGAL::squared_distance(point, expected), 1e-16);
+      }
+      EXPECT_LT(CGAL::squared_distance(polyline.front().point, last), 1e-16);
+      EXPECT_EQ(polyline.front().parameters, (std::array<double, 2>{arc.parameters[0][0], arc.parameters[1][0]}));
+      last = polyline.back().point;
+    }
+  }
+}
+
+TEST(minkowski_sums_2, two_disks)
+{
+  const Region a = disk(1), b = SC::planar_region(circle(1, 2, 2));
+  const Sum sum = SC::minkowski_sum(a, b);
+  expect_complete(sum, 1, 0);
+  expect_origins(a, b, sum);
+  const std::vector<Point> points = samples(sum, 0, 1e-4);
+  EXPECT_GT(points.size(), 100u);
+  for (const Point& p : points)
+    EXPECT_NEAR(CGAL::squared_distance(p, Point(1, 2)), 9, 1e-12);
+  EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(Point(1, 4.999))));
+  EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(1, 5.001))));
+}
+
+TEST(minkowski_sums_2, convex_polygon_and_disk)
+{
+  const Region triangle = polygon({{0, 0}, {4, 0}, {1, 3}});   // one side is tangential where two pieces of the circle meet
+  for (const double r : {0.125, 1.0, 7.5}) {
+    const Sum sum = SC::minkowski_sum(triangle, disk(r));
+    expect_complete(sum, 1, 0);
+    EXPECT_NEAR(area(sum), 6 + r * (4 + std::sqrt(18) + std::sqrt(10)) + CGAL_PI * r * r, 1e-3);
+  }
+}
+
+TEST(minkowski_sums_2, polygons)
+{
+  const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), triangle = polygon({{0, 0}, {0.875, 0.125}, {0.5, 0.75}});
+  const Sum squares = SC::minkowski_sum(square, square);   // all sides are parallel
+  expect_complete(squares, 1, 0);
+  EXPECT_EQ(area(squares), 4);
+  const Sum sum = SC::minkowski_sum(letter(), triangle);   // a corner of the triangle fits into a reflex one
+  expect_complete(sum, 1, 0);
+  EXPECT_NEAR(area(sum), 37.1953125, 1e-12);
+  expect_origins(letter(), triangle, sum);
+}
+
+// The support function of a sum is the sum of both.
+TEST(minkowski_sums_2, convex_regions)
+{
+  std::mt19937 random(3);
+  const auto coordinate = [&] { return (static_cast<int>(random() % 129) - 64) / 32.0; };
+  for (int trial = 0; trial < 4; ++trial) {
+    std::array<Vector, 2> first, second;
+    for (auto* axes : {&first, &second})
+      do
+        *axes = {Vector(coordinate(), coordinate()), Vector(coordinate(), coordinate())};
+      while (std::abs(CGAL::determinant((*axes)[0], (*axes)[1])) < 0.5);
+    const Region a = SC::planar_region(SC::ellipse_curve(Point(0, 0), first[0], first[1])), b = SC::planar_region(SC::ellipse_curve(Point(1, -1), second[0], second[1]));
+    const Sum sum = SC::minkowski_sum(a, b);
+    expect_complete(sum, 1, 0);
+    expect_origins(a, b, sum);
+    const std::vector<Point> points = samples(sum, 0, 1e-3);
+    for (int i = 0; i < 40; ++i) {
+      const Vector d(std::cos(i), std::sin(i));
+      double highest = -100;
+      for (const Point& p : points)
+        highest = std::max(highest, (p - Point(1, -1)) * d);
+      EXPECT_NEAR(highest, std::hypot(first[0] * d, first[1] * d) + std::hypot(second[0] * d, second[1] * d), 2e-3);
+    }
+  }
+}
+
+// The sum with a disk is what is nearer to a region than the radius: the boundary has that distance, and random points tell inside from outside.
+TEST(minkowski_sums_2, neighbourhoods)
+{
+  for (const auto& [region, radius, holes] : {std::tuple(letter(), 0.75, 1), std::tuple(kidney(), 0.5, 0)}) {
+    const Sum sum = SC::minkowski_sum(region, disk(radius));
+    expect_complete(sum, 1 + holes, holes);
+    expect_origins(region, disk(radius), sum);
+    std::vector<Point> outline;
+    const Curve& curve = region.curves()[0];
+    const auto [begin, end] = curve.domain();
+    const int n = 4800;
+    for (int i = 0; i <= n; ++i)
+      outline.push_back(curve(begin + (end - begin) * i / n));
+    for (std::size_t k = 0; k < sum.boundaries().size(); ++k)
+      for (const Point& p : samples(sum, k, 1e-2))
+        EXPECT_NEAR(distance(p, outline), radius, 1e-5);
+    const auto polygons = sum.polygons_with_holes(1e-4);
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_EQ(polygons[0].number_of_holes(), static_cast<std::size_t>(holes));
+    std::mt19937 random(5);
+    for (int i = 0; i < 60; ++i) {
+      const Point p(-2 + (random() % 1024) / 100.0, -2 + (random() % 1024) / 100.0);
+      const double d = distance(p, outline);
+      if (std::abs(d - radius) < 1e-3)
+        continue;
+      const bool is_inside = d < radius || region.bounded_side(p) == CGAL::ON_BOUNDED_SIDE;
+      const CGAL::Uncertain<bool> answer = sum.has_in_interior(p);
+      ASSERT_TRUE(answer.is_certain());
+      EXPECT_EQ(answer.make_certain(), is_inside);
+      bool is_in_hole = false;
+      for (const auto& hole : polygons[0].holes())
+        is_in_hole = is_in_hole || hole.bounded_side(p) == CGAL::ON_BOUNDED_SIDE;
+      EXPECT_EQ(polygons[0].outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE && !is_in_hole, is_inside);
+    }
+  }
+}
+
+TEST(minkowski_sums_2, holes)
+{
+  const Region ring(Curves{circle(0, 0, 5), circle(0.5, 0.25, 3)});
+  const std::vector<Point> points{{0, 0}, {1, 0.25}, {0.375, 0.75}};
+  const Sum small = SC::minkowski_sum(ring, disk(1)), large = SC::minkowski_sum(ring, disk(4)), polygonal = SC::minkowski_sum(ring, CGAL::Polygon_2<K>(points.begin(), points.end()));
+  expect_complete(small, 2, 1);
+  EXPECT_NEAR(area(small), (36 - 4) * CGAL_PI, 1e-3);
+  expect_complete(large, 1, 0);
+  EXPECT_NEAR(area(large), 81 * CGAL_PI, 1e-3);
+  expect_complete(polygonal, 2, 1);
+  expect_origins(ring, polygon(points), polygonal);
+}
+
+// The same after a rotation and translations of both regions.
+TEST(minkowski_sums_2, curved_regions_and_rigid_motions)
+{
+  const auto moved = [](const Region& region, double x, double y) {
+    const CGAL::Aff_transformation_2<K> motion(0.6, -0.8, x, 0.8, 0.6, y);
+    return SC::planar_region(region.curves()[0].transformed(motion));
+  };
+  const Sum sum = SC::minkowski_sum(kidney(), moon()), other = SC::minkowski_sum(moved(moon(), 1, 2), moved(kidney(), -3, 0.5));
+  expect_complete(sum, 1, 0);
+  expect_complete(other, 1, 0);
+  expect_origins(kidney(), moon(), sum);
+  EXPECT_NEAR(area(sum), area(other), 1e-3);
+  const CGAL::Aff_transformation_2<K> motion(0.6, -0.8, -2, 0.8, 0.6, 2.5);
+  std::vector<Point> boundary = samples(other, 0, 1e-3);
+  boundary.push_back(Point(boundary.front()));
+  for (const Point& p : samples(sum, 0, 1e-2))
+    EXPECT_LT(distance(motion(p), boundary), 5e-3);
+}
+
+TEST(minkowski_sums_2, what_is_not_decided)
+{
+  // The hole shrinks to a point, where all of the convolution is.
+  const Region ring(Curves{circle(0, 0, 5), circle(0, 0, 2)});
+  const Sum sum = SC::minkowski_sum(ring, disk(2));
+  EXPECT_FALSE(sum.is_complete());
+  EXPECT_FALSE(sum.undecided().empty());
+  ASSERT_FALSE(sum.boundaries().empty());
+  EXPECT_TRUE(sum.boundaries()[0].is_closed);
+}
+
+TEST(minkowski_sums_2, bad_input)
+{
+  const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const Region stops(Curves{SC::bezier_curve<K>({{0, 0}, {0, 0}, {2, 1}, {4, 0}}), SC::segment_curve<K>(Point(4, 0), Point(0, 0))});
+  expect_invalid([&] { SC::minkowski_sum(square, stops); }, "the derivative of curve 0 is zero");
+  expect_invalid([&] { SC::minkowski_sum(square, square).polyline(0, 0, 0); }, "the error must be positive");
+  expect_invalid([&] { SC::minkowski_sum(square, square).polygons_with_holes(-1); }, "the error must be positive");
+}
+
+} // namespace

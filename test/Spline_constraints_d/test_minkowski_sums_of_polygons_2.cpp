@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Minkowski sums of random polygons against those of CGAL.
+
+#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/minkowski_sum_2.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// A star-shaped polygon with short coordinates.
+CGAL::Polygon_2<K> star(std::mt19937& random, int n)
+{
+  CGAL::Polygon_2<K> result;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * CGAL_PI * (i + (random() % 512) / 1024.0) / n, length = 1 + (random() % 1024) / 256.0;
+    result.push_back(K::Point_2(std::round(1024 * length * std::cos(angle)) / 1024, std::round(1024 * length * std::sin(angle)) / 1024));
+  }
+  return result;
+}
+
+template <class Kernel>
+double area(const CGAL::Polygon_with_holes_2<Kernel>& polygon)
+{
+  double result = CGAL::to_double(polygon.outer_boundary().area());
+  for (const auto& hole : polygon.holes())
+    result += CGAL::to_double(hole.area());
+  return result;
+}
+
+// Compares the sum with that of CGAL, and returns this.
+CGAL::Polygon_with_holes_2<Exact_kernel> expect_sum_of_CGAL(const CGAL::Polygon_2<K>& a, const CGAL::Polygon_2<K>& b)
+{
+  const auto exact = [](const CGAL::Polygon_2<K>& polygon) {
+    CGAL::Polygon_2<Exact_kernel> result;
+    for (const auto& p : polygon)
+      result.push_back(Exact_kernel::Point_2(p.x(), p.y()));
+    return result;
+  };
+  const auto expected = CGAL::minkowski_sum_2(exact(a), exact(b));
+  const auto sum = SC::minkowski_sum(SC::planar_region(a), b);
+  EXPECT_TRUE(sum.is_complete());
+  const auto polygons = sum.polygons_with_holes(1);
+  EXPECT_EQ(polygons.size(), 1u);
+  if (polygons.size() == 1) {
+    EXPECT_EQ(polygons[0].number_of_holes(), expected.number_of_holes());
+    EXPECT_NEAR(area(polygons[0]), area(expected), 1e-9);
+  }
+  return expected;
+}
+
+TEST(minkowski_sums_of_polygons_2, random_polygons)
+{
+  std::mt19937 random(17);
+  int sums_with_reflex_corners = 0;
+  for (int trial = 0; trial < 12; ++trial)
+    sums_with_reflex_corners += !expect_sum_of_CGAL(star(random, 5 + trial), star(random, 3 + trial / 2)).outer_boundary().is_convex();
+  EXPECT_GT(sums_with_reflex_corners, 6);
+}
+
+TEST(minkowski_sums_of_polygons_2, hole)
+{
+  const std::vector<K::Point_2> letter{{0, 0}, {6, 0}, {6.25, 2.5}, {5, 2.5}, {5.125, 1}, {1, 1}, {1, 5}, {5, 5}, {5, 3.5}, {6, 3.5}, {6, 6.5}, {0, 6}}, triangle{{0, 0}, {0.5, 0.0625}, {0.3125, 1.25}};
+  EXPECT_EQ(expect_sum_of_CGAL({letter.begin(), letter.end()}, {triangle.begin(), triangle.end()}).number_of_holes(), 1u);
+}
+
+} // namespace

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Regions between curves: known areas, orientations and sides; all kinds of bad boundaries.
+
+#include "geometry_test_tools.h"
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using R = Exact_rational;
+using Point = Exact_cartesian::Point_2;
+using Curve = SC::Bspline_curve_2<Exact_cartesian>;
+using Curves = std::vector<Curve>;
+using Region = SC::Planar_region_2<Exact_cartesian>;
+
+Curve segment(const Point& p, const Point& q) { return SC::segment_curve<Exact_cartesian>(p, q); }
+Curve circle(const R& x, const R& y, const R& radius) { return SC::circle_curve(Point(x, y), radius); }
+Curve polygon(std::vector<Point> points)
+{
+  points.push_back(Point(points.front()));
+  return SC::polyline_curve<Exact_cartesian>(points);
+}
+
+// The number lies between the bounds, up to the rounding of the number itself, and these are close.
+void expect_area(const Region& region, double area)
+{
+  const auto [lower, upper] = region.area(1e-12);
+  EXPECT_LE(CGAL::to_double(R(upper - lower)), 2e-12);
+  EXPECT_NEAR(CGAL::to_double(lower), area, 1e-13 * (1 + std::abs(area)) + 2e-12);
+  EXPECT_NEAR(CGAL::to_double(upper), area, 1e-13 * (1 + std::abs(area)) + 2e-12);
+}
+
+TEST(planar_regions_2, disk)
+{
+  for (const Curve& curve : {circle(1, 2, 3), circle(1, 2, 3).reversed()}) {
+    const Region disk = SC::planar_region(curve);
+    expect_area(disk, 9 * CGAL_PI);
+    ASSERT_EQ(disk.boundaries().size(), 1u);
+    EXPECT_FALSE(disk.boundaries()[0].is_hole);
+    EXPECT_EQ(disk.boundaries()[0].arcs[0].is_reversed, !(curve == circle(1, 2, 3)));
+    EXPECT_EQ(disk.bounded_side(Point(R(1) + R(9) / 5, R(2) + R(12) / 5)), CGAL::ON_BOUNDARY);
+    EXPECT_EQ(disk.bounded_side(Point(R(1) + R(9) / 5 + R(1) / 1000000000, R(2) + R(12) / 5)), CGAL::ON_UNBOUNDED_SIDE);
+    EXPECT_EQ(disk.bounded_side(Point(R(1) + R(9) / 5 - R(1) / 1000000000, R(2) + R(12) / 5)), CGAL::ON_BOUNDED_SIDE);
+    EXPECT_EQ(disk.bounded_side(Point(1, 5)), CGAL::ON_BOUNDARY);
+    EXPECT_EQ(disk.bounded_side(Point(1, 2)), CGAL::ON_BOUNDED_SIDE);
+  }
+}
+
+TEST(planar_regions_2, chains_in_any_order_and_direction)
+{
+  // A half disk of radius 5 on a rectangle: its arcs meet with a common tangent.
+  const Point a(-5, 0), b(5, 0), c(5, 2), d(-5, 2), e(3, 6);
+  Curves curves{segment(a, b), segment(b, c), SC::circular_arc_curve(Point(0, 2), c, e), SC::circular_arc_curve(Point(0, 2), e, d), segment(d, a)};
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 8; ++trial) {
+    std::shuffle(curves.begin(), curves.end(), random);
+    for (Curve& curve : curves)
+      if (random() % 2 == 0)
+        curve = curve.reversed();
+    const Region region(curves);
+    expect_area(region, 20 + 25 * CGAL_PI / 2);
+    ASSERT_EQ(region.boundaries().size(), 1u);
+    ASSERT_EQ(region.boundaries()[0].arcs.size(), curves.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const auto &arc = region.boundaries()[0].arcs[i], &next = region.boundaries()[0].arcs[(i + 1) % curves.size()];
+      EXPECT_EQ(arc.is_reversed ? curves[arc.curve].source() : curves[arc.curve].target(), next.is_reversed ? curves[next.curve].target() : curves[next.curve].source());
+    }
+    EXPECT_EQ(region.bounded_side(Point(0, 0)), CGAL::ON_BOUNDARY);
+    EXPECT_EQ(region.bounded_side(Point(6, 0)), CGAL::ON_UNBOUNDED_SIDE);
+    EXPECT_EQ(region.bounded_side(Point(0, 6)), CGAL::ON_BOUNDED_SIDE);
+    EXPECT_EQ(region.bounded_side(Point(0, 7)), CGAL::ON_BOUNDARY);
+    EXPECT_EQ(region.bounded_side(Point(-5, 2)), CGAL::ON_BOUNDARY);
+  }
+}
+
+TEST(planar_regions_2, holes_and_parts)
+{
+  // A ring, with a disk in its hole, and a square beside it.
+  const Region region(Curves{circle(0, 0, 2), circle(0, 0, 5), circle(0, 0, 1), polygon({{6, 0}, {6, 1}, {7, 1}, {7, 0}})});
+  expect_area(region, (25 - 4 + 1) * CGAL_PI + 1);
+  EXPECT_EQ(region.number_of_holes(), 1u);
+  ASSERT_EQ(region.boundaries().size(), 4u);
+  for (const auto& boundary : region.boundaries())
+    EXPECT_EQ(boundary.is_hole, boundary.arcs[0].curve == 0);
+  std::mt19937 random(11);
+  int inside = 0;
+  for (int i = 0; i < 200; ++i) {
+    const R x = R(int(random() % 161) - 80) / 10, y = R(int(random() % 161) - 80) / 10, square = x * x + y * y;
+    const bool is_in_square = x > 6 && x < 7 && y > 0 && y < 1, is_on_square = !is_in_square && x >= 6 && x <= 7 && y >= 0 && y <= 1;
+    const bool is_on = square == 4 || square == 25 || square == 1 || is_on_square;
+    const bool is_in = square < 1 || (square > 4 && square < 25) || is_in_square;
+    inside += is_in;
+    EXPECT_EQ(region.bounded_side(Point(x, y)), is_on ? CGAL::ON_BOUNDARY : is_in ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE) << x << ' ' << y;
+  }
+  EXPECT_GT(inside, 20);
+}
+
+TEST(planar_regions_2, glyph)
+{
+  // The outline of a letter like an O, of cubic pieces with common tangents; areas of polynomial curves are exact. The hole is the outline at half the size, moved.
+  const auto outline = [](const R& factor, const R& x) {
+    const auto p = [&](const R& a, const R& b) { return Point(factor * a + x, factor * b); };
+    return Curves{SC::bezier_curve<Exact_cartesian>({p(0, -4), p(2, -4), p(3, -2), p(3, 0)}), SC::bezier_curve<Exact_cartesian>({p(3, 0), p(3, 2), p(2, 4), p(0, 4)}),
+                  SC::bezier_curve<Exact_cartesian>({p(-3, 0), p(-3, 2), p(-2, 4), p(0, 4)}), SC::bezier_curve<Exact_cartesian>({p(-3, 0), p(-3, -2), p(-2, -4), p(0, -4)})};
+  };
+  const Region outer(outline(1, 0));
+  Curves both = outline(1, 0);
+  for (const Curve& curve : outline(R(1) / 2, R(1) / 3))
+    both.push_back(curve);
+  const Region letter(both);
+  const R area = outer.area().first;
+  EXPECT_EQ(outer.area().second, area);
+  EXPECT_EQ(letter.area().first, R(area * 3 / 4));
+  EXPECT_EQ(letter.area().second, R(area * 3 / 4));
+  EXPECT_GT(area, R(12 * 2));   // the polygon through the four ends
+  EXPECT_LT(area, R(48));       // the box
+  EXPECT_EQ(letter.number_of_holes(), 1u);
+  EXPECT_EQ(letter.bounded_side(Point(R(1) / 3, 0)), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(letter.bounded_side(Point(-2, 0)), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(letter.bounded_side(Point(R(11) / 6, 0)), CGAL::ON_BOUNDARY);
+}
+
+TEST(planar_regions_2, polygons)
+{
+  const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, hole{{1, 1}, {1, 2}, {2, 1}};
+  CGAL::Polygon_with_holes_2<Exact_cartesian> polygon_with_hole(CGAL::Polygon_2<Exact_cartesian>(square.begin(), square.end()));
+  polygon_with_hole.add_hole(CGAL::Polygon_2<Exact_cartesian>(hole.begin(), hole.end()));
+  const Region region = SC::planar_region(polygon_with_hole);
+  EXPECT_EQ(region.area(), std::make_pair(R(R(31) / 2), R(R(31) / 2)));
+  EXPECT_EQ(region.number_of_holes(), 1u);
+  EXPECT_EQ(region.bounded_side(Point(R(3) / 2, R(3) / 2)), CGAL::ON_BOUNDARY);
+}
+
+TEST(planar_regions_2, bad_boundaries)
+{
+  const auto expect_refused = [](const Curves& curves, const std::string& fragment) {
+    expect_invalid([&] { Region region(curves); }, fragment);
+  };
+  const Point a(0, 0), b(4, 0), c(4, 4), d(0, 4);
+  expect_refused({}, "there are no curves");
+  expect_refused({segment(a, b), segment(b, c)}, "the boundary is open: curve 0 at parameter 0");
+  expect_refused({segment(a, b), segment(b, c), segment(c, d), segment(d, Point(0, R(1) / 1000000000))}, "the boundary is open");
+  expect_refused({polygon({a, b, c}), polygon({a, d, Point(-4, 4)})}, "more than two ends of curves are the same point: curve 0");
+  expect_refused({polygon({a, b, d, c})}, "curve 0 at parameter 1.5");
+  expect_refused({polygon({a, b, d, c})}, " meet");
+  expect_refused({segment(a, b), segment(b, d), segment(d, c), segment(c, a)}, "curve 1 at parameter 0.5");
+  expect_refused({circle(0, 0, 2), circle(0, 0, 5), circle(3, 0, 1)}, "and curve 2 at parameter");
+  expect_refused({circle(0, 0, 2), circle(3, 0, 1)}, "curve 0 at parameter 0");   // they touch
+  expect_refused({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, "curve 0 at parameter 0.");   // they have a piece in common
+  expect_refused({polygon({a, b, c, {2, 0}, d})}, "curve 0 at parameter 0.5");   // it touches itself
+  expect_refused({segment(a, b), segment(b, a)}, " meet");
+  expect_refused({circle(0, 0, 2), circle(0, 0, 2)}, "curve 0");
+}
+
+} // namespace
