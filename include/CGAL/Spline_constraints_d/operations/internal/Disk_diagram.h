@@ -7,13 +7,13 @@
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -197,42 +197,16 @@ private:
     for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
         const Range& range = stretch(part).range;
-        const auto contact = other_contact(part, disk(part, range.begin + share * range.width()));
-        if (!contact)
+        const Disk d = disk(part, range.begin + share * range.width());
+        const auto touched = touched_front(m_graph, stretch(part).contact, d.other_range, d.center);
+        if (!touched)
           continue;
-        const std::vector<Disk_stretch>& others = m_stretches[contact->first];
+        const std::vector<Disk_stretch>& others = m_stretches[touched->front];
         for (std::size_t s = 0; s < others.size(); ++s)
-          if (others[s].range.begin < contact->second.begin && contact->second.end < others[s].range.end && touches(others[s].contact, front(part)))
-            return m_halfedges_of[contact->first][s];
+          if (others[s].range.begin < touched->range.begin && touched->range.end < others[s].range.end && is_contact_with(others[s].contact, front(part)))
+            return m_halfedges_of[touched->front][s];
       }
     return none;
-  }
-
-  static bool touches(const Disk_contact& contact, const Front& front)
-  {
-    return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
-  }
-
-  // The front on the other side of a disk, and a range with the parameter of the contact there.
-  std::optional<std::pair<std::size_t, Range>> other_contact(const Part& part, const Disk& d) const
-  {
-    const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind == Disk_contact::Kind::ARC) {
-      const Curve_jet y = m_graph.arcs()[contact.index].jet(d.other_range, 1);
-      const int side = certain_sign(dot(turned_left(y[1]), d.center - y[0]));
-      return side == 0 ? std::nullopt : std::optional(std::pair(2 * contact.index + (side < 0), d.other_range));
-    }
-    const Site_graph_2::Vertex& vertex = m_graph.vertices()[contact.index];
-    const Interval_pair way = d.center - vertex.point;
-    for (const std::size_t fan : vertex.fans) {
-      const auto& [from, to] = m_graph.fronts()[fan].normals;
-      const Interval a = dot(turned_left(way), from), b = dot(turned_left(to), way);   // way x from, to x way
-      if (a.inf() > 0 && b.inf() > 0) {
-        const Interval u = a / (a + b);
-        return std::pair(fan, Range{u.inf(), u.sup()});
-      }
-    }
-    return std::nullopt;
   }
 
   // Around the source of a halfedge: the twin of the one before it begins there, too.
