@@ -6,14 +6,18 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/Trimmed_offset_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
 
+#include <array>
 #include <memory>
-#include <numeric>
 #include <ranges>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
+
+template <SplineKernel Kernel>
+class Planar_region_2;
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
@@ -43,9 +47,29 @@ auto trimmed_offset(const Range& curves, const typename std::ranges::range_value
   if (CGAL::sign(radius) != CGAL::POSITIVE)
     throw Invalid_input("trimmed_offset: the distance must be positive");
   const auto graph = internal::site_graph(curves, points);
-  std::vector<std::size_t> fronts(graph->fronts().size());
-  std::iota(fronts.begin(), fronts.end(), 0);
-  return Trimmed_offset_2<Kernel>(std::make_shared<internal::Offset_cycles>(internal::offset_cycles<Concurrency_tag>(graph, radius, fronts, false)), true);
+  return Trimmed_offset_2<Kernel>(std::make_shared<internal::Offset_cycles>(internal::offset_cycles<Concurrency_tag>(graph, radius, internal::all_fronts(*graph), false)), true);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+the trimmed offset of a region: the boundary of the region that has grown by a distance, or, if that is negative, shrunk. Corners become round on the side where they are reflex.
+
+\tparam Concurrency_tag as above.
+\param region the region. Parameters of arcs are those of its curves.
+\param distance the distance; not zero. The result may be empty if it is negative.
+\throws Invalid_input when the distance is zero or not finite, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+*/
+template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
+Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, const typename Kernel::FT& distance)
+{
+  const Exact_rational radius = internal::converted_number<Exact_rational>(distance);
+  const CGAL::Sign sign = CGAL::sign(radius);
+  if (sign == CGAL::ZERO)
+    throw Invalid_input("trimmed_offset: the distance must not be zero");
+  const bool is_inside = sign == CGAL::NEGATIVE;
+  const auto graph = internal::site_graph(region.curves(), std::array<typename Kernel::Point_2, 0>());
+  return {std::make_shared<internal::Offset_cycles>(internal::offset_cycles<Concurrency_tag>(graph, CGAL::abs(radius), internal::region_fronts(*graph, region, is_inside), is_inside)), !is_inside};
 }
 
 } // namespace Spline_constraints

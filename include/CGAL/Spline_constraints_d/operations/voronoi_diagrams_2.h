@@ -38,7 +38,7 @@ auto voronoi_diagram(const Range& curves, const std::vector<typename std::ranges
 {
   using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
   const auto graph = internal::site_graph(curves, points);
-  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph));
+  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph)));
   return Voronoi_diagram_2<Kernel>(graph, diagram);
 }
 

@@ -53,6 +53,7 @@ public:
 private:
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
+  std::vector<std::size_t> m_fronts;                       // those it is made of
   std::vector<std::vector<Disk_stretch>> m_stretches;      // of each front
   std::vector<std::vector<std::size_t>> m_halfedges_of;    // of each front, for each stretch
   std::vector<Halfedge> m_halfedges;
@@ -61,7 +62,9 @@ private:
   std::size_t m_unmatched = 0;
 
 public:
-  Disk_diagram(const Site_graph_2& graph, std::vector<std::vector<Disk_stretch>> stretches) : m_graph(graph), m_curvature(graph), m_stretches(std::move(stretches))
+  // The fronts are all, or those of some cycles; others have no stretches.
+  Disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts, std::vector<std::vector<Disk_stretch>> stretches)
+    : m_graph(graph), m_curvature(graph), m_fronts(std::move(fronts)), m_stretches(std::move(stretches))
   {
     const Upward_rounding_guard guard;
     for (const auto& stretches : m_stretches)
@@ -78,7 +81,7 @@ public:
   bool is_complete() const
   {
     const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return m_unmatched == 0 && std::all_of(m_stretches.begin(), m_stretches.end(), [&](const auto& stretches) { return !stretches.empty() && std::all_of(stretches.begin(), stretches.end(), is_resolved); });
+    return m_unmatched == 0 && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
   }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
@@ -144,7 +147,7 @@ private:
   void connect_cycles()
   {
     std::vector<char> is_visited(m_stretches.size(), false);
-    for (std::size_t first = 0; first < m_stretches.size(); ++first) {
+    for (const std::size_t first : m_fronts) {
       if (is_visited[first])
         continue;
       std::vector<Halfedge> cycle;
@@ -236,17 +239,17 @@ private:
   }
 };
 
-// The diagram of a graph of curves. With a tag for parallel work, fronts are handed to all cores.
+// The diagram of a graph of curves, on all fronts, or on those of some cycles. With a tag for parallel work, fronts are handed to all cores.
 template <class Concurrency_tag>
-Disk_diagram disk_diagram(const Site_graph_2& graph)
+Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts)
 {
   const Site_tree_2 tree(graph);
   std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
-  parallel_for<Concurrency_tag>(stretches.size(), [&](std::size_t front, std::size_t) {
+  parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[front] = Maximal_disks(graph, tree)(front);
+    stretches[fronts[i]] = Maximal_disks(graph, tree)(fronts[i]);
   });
-  return Disk_diagram(graph, std::move(stretches));
+  return Disk_diagram(graph, std::move(fronts), std::move(stretches));
 }
 
 } // namespace internal

@@ -50,7 +50,7 @@ class Free_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr double least_width = 0x1p-33;
-  static constexpr int most_nodes = 4000;
+  static constexpr int most_nodes = 2000;
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;

@@ -336,6 +336,13 @@ private:
   }
 };
 
+inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
+{
+  std::vector<std::size_t> result(graph.fronts().size());
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
 // The graph of curves and isolated points.
 template <class Curves, class Points>
 std::shared_ptr<const Site_graph_2> site_graph(const Curves& curves, const Points& points)
