@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Medial axes: of an ellipse, a triangle and an L in closed form; of regions with holes, every disk is inside and touches the boundary twice, and there is one cycle for each hole.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+// Medial axes: of a segment of a parabola, a triangle and an L in closed form; of regions with holes, every disk is inside and touches the boundary twice, and there is one cycle for each hole.
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
@@ -44,22 +43,25 @@ bool has_vertex(const Axis& axis, const P& p, double radius)
   return std::any_of(axis.vertices().begin(), axis.vertices().end(), [&](const auto& v) { return distance(v.point, p) < 1e-9 && std::abs(v.radius - radius) < 1e-9; });
 }
 
-// Half-axes 10 and 5, as four arcs between conjugate diameters: the tips are the centers of curvature of the vertices, which are within arcs.
-TEST(MedialAxis, Ellipse)
+// Between y = x^2 and y = 4: it begins in the center of curvature (0, 1/2), and branches in (0, 5/2).
+TEST(MedialAxis, SegmentOfAParabola)
 {
-  const Axis axis = SC::medial_axis(SC::planar_region(SC::ellipse_curve(P(0, 0), K::Vector_2(6, 4), K::Vector_2(-8, 3))));
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})}));
   EXPECT_TRUE(axis.is_complete());
   EXPECT_EQ(axis.number_of_regions(), 1U);
-  EXPECT_EQ(number_of_vertices(axis, 1), 2U);
-  EXPECT_TRUE(has_vertex(axis, P(7.5, 0), 2.5));
-  EXPECT_TRUE(has_vertex(axis, P(-7.5, 0), 2.5));
-  EXPECT_EQ(number_of_vertices(axis, 2), axis.vertices().size() - 2);
-  EXPECT_EQ(axis.edges().size(), axis.vertices().size() - 1);
+  EXPECT_EQ(axis.edges().size(), 3U);
+  EXPECT_EQ(axis.vertices().size(), 4U);
+  EXPECT_TRUE(has_vertex(axis, P(0, 0.5), 0.5));
+  EXPECT_TRUE(has_vertex(axis, P(0, 2.5), 1.5));
+  EXPECT_TRUE(has_vertex(axis, P(-2, 4), 0));
+  EXPECT_TRUE(has_vertex(axis, P(2, 4), 0));
   for (std::size_t e = 0; e < axis.edges().size(); ++e)
-    for (const auto& sample : axis.polyline(e, 0.01)) {
-      EXPECT_NEAR(sample.point.y(), 0, 1e-9);
-      EXPECT_NEAR(sample.radius, 5 * std::sqrt(1 - sample.point.x() * sample.point.x() / 75), 1e-9);
-    }
+    for (const auto& sample : axis.polyline(e, 0.01))
+      if (axis.edges()[e].sites[0] == axis.edges()[e].sites[1]) {
+        EXPECT_NEAR(sample.point.x(), 0, 1e-9);
+        EXPECT_NEAR(sample.radius, std::sqrt(sample.point.y() - 0.25), 1e-9);
+      } else
+        EXPECT_NEAR(sample.radius, 4 - sample.point.y(), 1e-9);
 }
 
 // Sides 3, 4, 5: a tree with the center of the inscribed circle and the corners.
@@ -93,7 +95,7 @@ TEST(MedialAxis, ReflexCorner)
 // The outline and the holes are closed curves: the axis is connected, and has a cycle for each hole.
 TEST(MedialAxis, RegionWithHoles)
 {
-  const Curves curves{bezier({P(0, 0), P(14, -6), P(16, 14), P(7, 11)}), bezier({P(7, 11), P(-1, 9), P(-3, 3), P(0, 0)}), bezier({P(3, 3), P(6, 2), P(4, 6), P(3, 3)}), bezier({P(8, 5), P(11, 3), P(10, 9), P(8, 5)})};
+  const Curves curves{bezier({P(0, 0), P(12, -6), P(16, 4), P(12, 10)}), bezier({P(12, 10), P(2, 14), P(-4, 6), P(0, 0)}), bezier({P(3, 3), P(6, 2), P(4, 6), P(3, 3)}), bezier({P(8, 5), P(11, 3), P(10, 9), P(8, 5)})};
   const auto region = SC::planar_region(curves);
   ASSERT_EQ(region.number_of_holes(), 2U);
   const Axis axis = SC::medial_axis(region);

@@ -174,6 +174,17 @@ TEST(VoronoiDiagrams, TwoCubics)
   expect_empty_disks(diagram, curves);
 }
 
+// A closed curve of one piece begins and ends in its corner.
+TEST(VoronoiDiagrams, ClosedCubicWithACorner)
+{
+  const Curves curves{bezier({P(0, 0), P(4, -2), P(4, 3), P(0, 0)}), bezier({P(-2, -1), P(-2, 2)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.number_of_regions(), 2U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 Curves cubics_in_cells(std::mt19937& random, int rows)
 {
   std::uniform_real_distribution<double> coordinate(1, 9);
