@@ -51,6 +51,7 @@ class Free_disks
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr double least_width = 0x1p-33;
   static constexpr int most_nodes = 2000;
+  static constexpr int most_halvings = 12;
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
@@ -86,7 +87,9 @@ private:
     const Front_part part = m_curvature.part(front, range);
     const double least = m_candidates.prune(part, candidates);
     const Interval wanted = wanted_curvature(part);
-    std::erase_if(candidates, [&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() < wanted.inf(); });
+    std::erase_if(candidates, [&](const Disk_candidate& candidate) {
+      return candidate.bounds.value.sup() < wanted.inf() || (candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings));
+    });
     if (least > wanted.sup())
       append_covered();
     else if (candidates.empty())
@@ -100,6 +103,15 @@ private:
       sweep(front, {range.begin, middle}, candidates);
       sweep(front, {middle, range.end}, std::move(candidates));
     }
+  }
+
+  // Whether the disks through a range of an arc are larger, by bounds on its parts. Where the normal turns quickly, candidates are large.
+  bool is_below(const Front_part& part, std::size_t arc, const Range& range, double wanted, int halvings) const
+  {
+    const Curvature_bounds k = m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range));
+    if (k.is_below_vertex || k.value.sup() < wanted)
+      return true;
+    return halvings > 0 && is_below(part, arc, {range.begin, range.middle()}, wanted, halvings - 1) && is_below(part, arc, {range.middle(), range.end}, wanted, halvings - 1);
   }
 
   // The curvature of the disks of the radius.
