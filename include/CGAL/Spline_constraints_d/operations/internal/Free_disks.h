@@ -87,22 +87,22 @@ private:
     const Front_part part = m_curvature.part(front, range);
     const double least = m_candidates.prune(part, candidates);
     const Interval wanted = wanted_curvature(part);
-    std::erase_if(candidates, [&](const Disk_candidate& candidate) {
-      return candidate.bounds.value.sup() < wanted.inf() || (candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings));
-    });
-    if (least > wanted.sup())
+    if (least > wanted.sup()) {
       append_covered();
-    else if (candidates.empty())
-      append_free(range);
-    else if (!resolve(part, candidates, least)) {
-      if (range.width() < least_width || ++m_nodes > most_nodes) {
-        append_undecided(range);
-        return;
-      }
-      const double middle = range.begin + split_ratio * range.width();
-      sweep(front, {range.begin, middle}, candidates);
-      sweep(front, {middle, range.end}, std::move(candidates));
+      return;
     }
+    const auto remove = [&](const auto& is_low) { return std::erase_if(candidates, is_low) > 0; };
+    remove([&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() < wanted.inf(); });
+    const auto is_below_in_parts = [&](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings); };
+    if (resolve(part, candidates, least) || (remove(is_below_in_parts) && resolve(part, candidates, least)))
+      return;
+    if (range.width() < least_width || ++m_nodes > most_nodes) {
+      append_undecided(range);
+      return;
+    }
+    const double middle = range.begin + split_ratio * range.width();
+    sweep(front, {range.begin, middle}, candidates);
+    sweep(front, {middle, range.end}, std::move(candidates));
   }
 
   // Whether the disks through a range of an arc are larger, by bounds on its parts. Where the normal turns quickly, candidates are large.
@@ -131,9 +131,13 @@ private:
     return sign_of(Exact_rational(m_exact_radius * m_exact_radius - circle->second));
   }
 
-  // Decides a range with one contact that may be reached.
+  // Decides a range with one contact that may be reached, or none.
   bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
+    if (candidates.empty()) {
+      append_free(part.range);
+      return true;
+    }
     const Disk_contacts contacts(m_graph, m_curvature, part, candidates, least);
     if (!contacts.are_known())
       return false;
