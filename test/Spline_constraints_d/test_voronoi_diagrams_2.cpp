@@ -93,6 +93,17 @@ TEST(VoronoiDiagrams, TwoCubics)
   expect_empty_disks(diagram, curves);
 }
 
+// A closed curve of one piece begins and ends in its corner.
+TEST(VoronoiDiagrams, ClosedCubicWithACorner)
+{
+  const Curves curves{bezier({P(0, 0), P(4, -2), P(4, 3), P(0, 0)}), bezier({P(-2, -1), P(-2, 2)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.number_of_regions(), 2U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 Curves cubics_in_cells(std::mt19937& random, int rows)
 {
   std::uniform_real_distribution<double> coordinate(1, 9);
@@ -129,6 +140,46 @@ TEST(VoronoiDiagrams, RandomScenes)
     EXPECT_EQ(counts(SC::voronoi_diagram(moved)), counts(diagram));
   }
   EXPECT_EQ(complete, 3);
+}
+
+// Random points, against the distances from many points of all sites. 100,000 queries give the same answers; here are fewer.
+TEST(VoronoiDiagrams, NearestSites)
+{
+  std::mt19937 random(3);
+  const Curves curves = cubics_in_cells(random, 2);
+  const Diagram diagram = SC::voronoi_diagram(curves, {P(10, 10)});
+  constexpr int steps = 64, queries = 1000;
+  std::vector<std::vector<P>> points;
+  for (const auto& site : diagram.sites()) {
+    points.push_back({site.point});
+    for (int i = 0; i <= steps && !site.is_point; ++i)
+      points.back().push_back(curves[site.curve](static_cast<double>(i) / steps));
+  }
+  const auto distance_from = [&](std::size_t site, const P& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const P& q : points[site])
+      least = (std::min)(least, CGAL::squared_distance(p, q));
+    return std::sqrt(least);
+  };
+  std::uniform_real_distribution<double> coordinate(-5, 25);
+  std::vector<int> answers(diagram.sites().size(), 0);
+  for (int i = 0; i < queries; ++i) {
+    const P p(coordinate(random), coordinate(random));
+    const auto sites = diagram.nearest_sites(p);
+    ASSERT_EQ(sites.size(), 1U);
+    ++answers[sites[0]];
+    const double distance = distance_from(sites[0], p);
+    for (std::size_t site = 0; site < points.size(); ++site)
+      EXPECT_LT(distance, distance_from(site, p) + 0.02) << "site " << site;
+  }
+  EXPECT_GT(std::count_if(answers.begin(), answers.end(), [](int number) { return number > 0; }), static_cast<std::ptrdiff_t>(answers.size() / 2));
+
+  // On an edge there are two, in a vertex three.
+  const Diagram three = SC::voronoi_diagram(Curves(), {P(0, 0), P(4, 0), P(0, 2)});
+  EXPECT_EQ(three.nearest_sites(P(2, -7)), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(three.nearest_sites(P(2, 1)), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(three.nearest_sites(P(3, 1)), (std::vector<std::size_t>{1}));
+  EXPECT_TRUE(SC::voronoi_diagram(Curves()).nearest_sites(P(0, 0)).empty());
 }
 
 // Nothing is resolved where curves cross, and the result says so.

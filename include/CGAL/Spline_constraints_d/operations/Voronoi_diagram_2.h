@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 
 #include <array>
 #include <cmath>
@@ -88,6 +89,7 @@ private:
 
   std::shared_ptr<const internal::Site_graph_2> m_graph;
   std::shared_ptr<const internal::Disk_diagram> m_diagram;
+  internal::Site_tree_2 m_tree;
   std::vector<Site> m_sites;
   std::vector<Vertex> m_vertices;
   std::vector<Edge> m_edges;
@@ -95,7 +97,7 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram))
+  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph)
   {
     const Upward_rounding_guard guard;
     make_sites();
@@ -138,6 +140,21 @@ public:
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
       append_part(part, error, most_radius, result);
     return result;
+  }
+
+  /*!
+  the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be. These are equally near up to rounding, as in points of an edge.
+
+  \param point the point. The answer does not depend on whether the diagram is complete.
+  \throws Invalid_input when a coordinate is not finite.
+
+  Complexity: that of a search in a tree of boxes, and of subdivision of the curves near by, in interval arithmetic.
+  */
+  std::vector<std::size_t> nearest_sites(const Point& point) const
+  {
+    const Upward_rounding_guard guard;
+    const internal::Interval_pair p{internal::interval_of(internal::converted_number<Exact_rational>(point.x())), internal::interval_of(internal::converted_number<Exact_rational>(point.y()))};
+    return internal::Nearest_sites_2(*m_graph, m_tree, p)();
   }
 
 private:

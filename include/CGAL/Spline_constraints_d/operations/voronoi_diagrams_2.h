@@ -37,17 +37,8 @@ template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range
 auto voronoi_diagram(const Range& curves, const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {})
 {
   using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
-  auto graph = std::make_shared<internal::Site_graph_2>();
-  std::size_t index = 0;
-  for (const auto& curve : curves) {
-    for (internal::Homogeneous_piece& piece : internal::homogeneous_pieces(curve, internal::Planar_map(curve)))
-      graph->add_arc(std::move(piece), index);
-    ++index;
-  }
-  for (const auto& point : points)
-    graph->add_point({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
-  graph->close();
-  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph));
+  const auto graph = internal::site_graph(curves, points);
+  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph)));
   return Voronoi_diagram_2<Kernel>(graph, diagram);
 }
 

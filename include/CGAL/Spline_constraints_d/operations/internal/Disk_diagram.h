@@ -7,13 +7,13 @@
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +53,7 @@ public:
 private:
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
+  std::vector<std::size_t> m_fronts;                       // those it is made of
   std::vector<std::vector<Disk_stretch>> m_stretches;      // of each front
   std::vector<std::vector<std::size_t>> m_halfedges_of;    // of each front, for each stretch
   std::vector<Halfedge> m_halfedges;
@@ -61,7 +62,9 @@ private:
   std::size_t m_unmatched = 0;
 
 public:
-  Disk_diagram(const Site_graph_2& graph, std::vector<std::vector<Disk_stretch>> stretches) : m_graph(graph), m_curvature(graph), m_stretches(std::move(stretches))
+  // The fronts are all, or those of some cycles; others have no stretches.
+  Disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts, std::vector<std::vector<Disk_stretch>> stretches)
+    : m_graph(graph), m_curvature(graph), m_fronts(std::move(fronts)), m_stretches(std::move(stretches))
   {
     const Upward_rounding_guard guard;
     for (const auto& stretches : m_stretches)
@@ -78,7 +81,7 @@ public:
   bool is_complete() const
   {
     const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return m_unmatched == 0 && std::all_of(m_stretches.begin(), m_stretches.end(), [&](const auto& stretches) { return !stretches.empty() && std::all_of(stretches.begin(), stretches.end(), is_resolved); });
+    return m_unmatched == 0 && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
   }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
@@ -182,7 +185,7 @@ private:
   void connect_cycles()
   {
     std::vector<char> is_visited(m_stretches.size(), false);
-    for (std::size_t first = 0; first < m_stretches.size(); ++first) {
+    for (const std::size_t first : m_fronts) {
       if (is_visited[first])
         continue;
       std::vector<Halfedge> cycle;
@@ -235,42 +238,16 @@ private:
     for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
         const Range& range = stretch(part).range;
-        const auto contact = other_contact(part, disk(part, range.begin + share * range.width()));
-        if (!contact)
+        const Disk d = disk(part, range.begin + share * range.width());
+        const auto touched = touched_front(m_graph, stretch(part).contact, d.other_range, d.center);
+        if (!touched)
           continue;
-        const std::vector<Disk_stretch>& others = m_stretches[contact->first];
+        const std::vector<Disk_stretch>& others = m_stretches[touched->front];
         for (std::size_t s = 0; s < others.size(); ++s)
-          if (others[s].range.begin < contact->second.begin && contact->second.end < others[s].range.end && touches(others[s].contact, front(part)))
-            return m_halfedges_of[contact->first][s];
+          if (others[s].range.begin < touched->range.begin && touched->range.end < others[s].range.end && is_contact_with(others[s].contact, front(part)))
+            return m_halfedges_of[touched->front][s];
       }
     return none;
-  }
-
-  static bool touches(const Disk_contact& contact, const Front& front)
-  {
-    return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
-  }
-
-  // The front on the other side of a disk, and a range with the parameter of the contact there.
-  std::optional<std::pair<std::size_t, Range>> other_contact(const Part& part, const Disk& d) const
-  {
-    const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind == Disk_contact::Kind::ARC) {
-      const Curve_jet y = m_graph.arcs()[contact.index].jet(d.other_range, 1);
-      const int side = certain_sign(dot(turned_left(y[1]), d.center - y[0]));
-      return side == 0 ? std::nullopt : std::optional(std::pair(2 * contact.index + (side < 0), d.other_range));
-    }
-    const Site_graph_2::Vertex& vertex = m_graph.vertices()[contact.index];
-    const Interval_pair way = d.center - vertex.point;
-    for (const std::size_t fan : vertex.fans) {
-      const auto& [from, to] = m_graph.fronts()[fan].normals;
-      const Interval a = dot(turned_left(way), from), b = dot(turned_left(to), way);   // way x from, to x way
-      if (a.inf() > 0 && b.inf() > 0) {
-        const Interval u = a / (a + b);
-        return std::pair(fan, Range{u.inf(), u.sup()});
-      }
-    }
-    return std::nullopt;
   }
 
   // Around the source of a halfedge: the twin of the one before it begins there, too.
@@ -300,17 +277,17 @@ private:
   }
 };
 
-// The diagram of a graph of curves. With a tag for parallel work, fronts are handed to all cores.
+// The diagram of a graph of curves, on all fronts, or on those of some cycles. With a tag for parallel work, fronts are handed to all cores.
 template <class Concurrency_tag>
-Disk_diagram disk_diagram(const Site_graph_2& graph)
+Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts)
 {
   const Site_tree_2 tree(graph);
   std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
-  parallel_for<Concurrency_tag>(stretches.size(), [&](std::size_t front, std::size_t) {
+  parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[front] = Maximal_disks(graph, tree)(front);
+    stretches[fronts[i]] = Maximal_disks(graph, tree)(fronts[i]);
   });
-  return Disk_diagram(graph, std::move(stretches));
+  return Disk_diagram(graph, std::move(fronts), std::move(stretches));
 }
 
 } // namespace internal

@@ -139,7 +139,7 @@ public:
     for (std::size_t k = 0; k < 3; ++k)
       m_coordinates[k] = Polynomial_jet(m_piece.coordinates[k]);
     const Exact_pair a = at(0), b = at(1);
-    m_is_straight = contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
+    m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     if (!m_is_straight)
       m_circle = circle_through_all_points();
     if (m_circle) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -122,6 +123,15 @@ public:
   const std::vector<Vertex>& vertices() const { return m_vertices; }
   const std::vector<Front>& fronts() const { return m_fronts; }
   std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
+
+  // The parameter of a point of an arc, of its curve.
+  double curve_parameter(std::size_t arc, double u) const
+  {
+    const auto& [first, last] = m_arcs[arc].piece().domain;
+    const double begin = to_nearest_double(first), end = to_nearest_double(last);
+    return u == 1 ? end : begin + u * (end - begin);
+  }
+
   std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
 
@@ -325,6 +335,30 @@ private:
     return is_clockwise(from, proposal) && is_clockwise(proposal, to) ? proposal : Exact_pair{from[1], Exact_rational(-from[0])};
   }
 };
+
+inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
+{
+  std::vector<std::size_t> result(graph.fronts().size());
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
+// The graph of curves and isolated points.
+template <class Curves, class Points>
+std::shared_ptr<const Site_graph_2> site_graph(const Curves& curves, const Points& points)
+{
+  auto graph = std::make_shared<Site_graph_2>();
+  std::size_t index = 0;
+  for (const auto& curve : curves) {
+    for (Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve)))
+      graph->add_arc(std::move(piece), index);
+    ++index;
+  }
+  for (const auto& point : points)
+    graph->add_point({converted_number<Exact_rational>(point.x()), converted_number<Exact_rational>(point.y())});
+  graph->close();
+  return graph;
+}
 
 } // namespace internal
 } // namespace Spline_constraints

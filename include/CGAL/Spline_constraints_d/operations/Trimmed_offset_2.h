@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_TRIMMED_OFFSET_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_TRIMMED_OFFSET_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Offset_cycles.h>
+
+#include <CGAL/Polygon_with_holes_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A trimmed offset: the boundary of the set of all points at no more than a given distance from curves and points, or, within a region, at no less than that from its boundary.
+
+It consists of closed boundaries, each of offsets of parts of curves, and of arcs of circles around points, in order. The set is on their left: outer boundaries are counterclockwise, holes clockwise.
+
+Arcs are connected by proof, and boundaries are proved to be outer ones or holes. Where something is not decided, `is_complete()` is false; boundaries that are affected are not closed.
+
+\tparam Kernel a `SplineKernel`.
+*/
+template <SplineKernel Kernel>
+class Trimmed_offset_2
+{
+public:
+  using Point = typename Kernel::Point_2;
+  using Polygon_with_holes = CGAL::Polygon_with_holes_2<Kernel>;
+
+  //! an arc: the offset of a part of a curve, or an arc of a circle around a point.
+  struct Arc
+  {
+    bool is_circular;                     ///< whether it belongs to a point: an end or a corner of a curve, or an isolated point
+    Point center;                         ///< the point; of the offset of a curve, none
+    std::size_t curve;                    ///< the index of the curve; of a point, no index
+    std::array<double, 2> parameters;     ///< of the curve, where the arc begins and ends
+  };
+
+  //! a boundary of the set.
+  struct Boundary
+  {
+    std::vector<std::size_t> arcs;        ///< in order
+    bool is_closed;                       ///< whether it is proved to be closed
+    bool is_hole;                         ///< whether it is that of a hole of the set
+    std::size_t outer;                    ///< the index of the outer boundary of the same component of the set; if it is not known, no index
+  };
+
+private:
+  std::shared_ptr<const internal::Offset_cycles> m_cycles;
+  bool m_is_reversed;   // the set is on the right of the chains
+  std::vector<Arc> m_arcs;
+  std::vector<std::vector<std::size_t>> m_pieces_of_arc;   // which are the offsets of parts of fronts
+  std::vector<Boundary> m_boundaries;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Trimmed_offset_2(std::shared_ptr<const internal::Offset_cycles> cycles, bool is_reversed) : m_cycles(std::move(cycles)), m_is_reversed(is_reversed)
+  {
+    const Upward_rounding_guard guard;
+    for (const internal::Offset_cycles::Chain& chain : m_cycles->chains())
+      append_boundary(chain);
+  }
+#endif
+
+  //! the arcs.
+  const std::vector<Arc>& arcs() const { return m_arcs; }
+
+  //! the boundaries; each arc belongs to one.
+  const std::vector<Boundary>& boundaries() const { return m_boundaries; }
+
+  //! whether all of the offset is proved.
+  bool is_complete() const { return m_cycles->is_complete(); }
+
+  /*!
+  points along an arc, so many that it is no farther from the lines of their chords than a given distance, up to rounding of the points.
+
+  \param arc the index of the arc.
+  \param error the distance; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<Point> polyline(std::size_t arc, double error) const
+  {
+    check(error);
+    const Upward_rounding_guard guard;
+    std::vector<Point> result;
+    for (const std::size_t p : m_pieces_of_arc[arc]) {
+      const internal::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
+      const internal::Front_offset offset = m_cycles->offset(piece);
+      const auto [begin, end] = parameters(piece);
+      std::vector<double> stops{begin};
+      offset.append_stops(begin, end, error, stops);
+      for (std::size_t i = result.empty() ? 0 : 1; i < stops.size(); ++i)
+        result.push_back(middle(offset.point({stops[i], stops[i]})));
+    }
+    return result;
+  }
+
+  /*!
+  the set as polygons, one for each component, with chords of the arcs as edges: if the error is small enough for these not to meet elsewhere, the polygons are simple. Boundaries that are not closed, or whose component is not known, are left out.
+
+  \param error the distance of arcs from the lines of their chords, at most; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<Polygon_with_holes> polygons_with_holes(double error) const
+  {
+    check(error);
+    std::vector<Polygon_with_holes> result;
+    std::vector<std::size_t> polygon_of(m_boundaries.size(), internal::Offset_cycles::none);
+    for (std::size_t b = 0; b < m_boundaries.size(); ++b)
+      if (m_boundaries[b].outer == b) {
+        polygon_of[b] = result.size();
+        result.emplace_back(polygon(m_boundaries[b], error));
+      }
+    for (const Boundary& boundary : m_boundaries)
+      if (boundary.is_hole && boundary.outer != internal::Offset_cycles::none)
+        result[polygon_of[boundary.outer]].add_hole(polygon(boundary, error));
+    return result;
+  }
+
+private:
+  static void check(double error)
+  {
+    if (!(error > 0))
+      throw Invalid_input("Trimmed_offset_2: the error must be positive");
+  }
+
+  static Point middle(const internal::Interval_pair& p)
+  {
+    return internal::kernel_object<Kernel, Point>(std::array<double, 2>{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2});
+  }
+
+  std::array<double, 2> parameters(const internal::Offset_cycles::Piece& piece) const
+  {
+    const auto [from, to] = m_cycles->parameters(piece);
+    return m_is_reversed ? std::array{to, from} : std::array{from, to};
+  }
+
+  CGAL::Polygon_2<Kernel> polygon(const Boundary& boundary, double error) const
+  {
+    CGAL::Polygon_2<Kernel> result;
+    for (const std::size_t arc : boundary.arcs) {
+      const std::vector<Point> points = polyline(arc, error);
+      result.insert(result.vertices_end(), points.begin() + 1, points.end());   // the first one ends the arc before
+    }
+    return result;
+  }
+
+  Arc arc_of(std::size_t p) const
+  {
+    const internal::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
+    const internal::Front& front = m_cycles->front(piece);
+    const internal::Site_graph_2& graph = m_cycles->graph();
+    if (front.is_fan)
+      return {true, internal::kernel_object<Kernel, Point>(graph.vertices()[front.object].exact_point), internal::Offset_cycles::none, {}};
+    const auto [begin, end] = parameters(piece);
+    return {false, Point(0, 0), graph.curve_of_arc(front.object), {graph.curve_parameter(front.object, begin), graph.curve_parameter(front.object, end)}};
+  }
+
+  // Whether a piece goes on where another one ends, around the same point, or with the same curve on the same side.
+  bool goes_on(std::size_t before, std::size_t after) const
+  {
+    const internal::Front &a = m_cycles->front(m_cycles->pieces()[before]), &b = m_cycles->front(m_cycles->pieces()[after]);
+    if (a.is_fan || b.is_fan)
+      return before != after && a.is_fan && b.is_fan && a.object == b.object;
+    return a.is_reversed == b.is_reversed && arc_of(before).curve == arc_of(after).curve && arc_of(before).parameters[1] == arc_of(after).parameters[0];
+  }
+
+  void append_boundary(const internal::Offset_cycles::Chain& chain)
+  {
+    std::vector<std::size_t> pieces = chain.pieces;
+    if (m_is_reversed)
+      std::reverse(pieces.begin(), pieces.end());
+    if (chain.is_closed) {   // begin where an arc begins
+      std::size_t first = 0;
+      while (first < pieces.size() && goes_on(pieces[(first + pieces.size() - 1) % pieces.size()], pieces[first]))
+        ++first;
+      std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first % pieces.size()), pieces.end());
+    }
+    Boundary boundary{{}, chain.is_closed, chain.is_hole, chain.outer};
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (i > 0 && goes_on(pieces[i - 1], pieces[i])) {
+        m_arcs.back().parameters[1] = arc_of(pieces[i]).parameters[1];
+        m_pieces_of_arc.back().push_back(pieces[i]);
+      } else {
+        boundary.arcs.push_back(m_arcs.size());
+        m_arcs.push_back(arc_of(pieces[i]));
+        m_pieces_of_arc.push_back({pieces[i]});
+      }
+    m_boundaries.push_back(std::move(boundary));
+  }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_TRIMMED_OFFSET_2_H

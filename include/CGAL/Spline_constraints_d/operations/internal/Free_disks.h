@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Where a range of a front ends in which disks are free: where the front ends; where the disk has a second contact; or somewhere in a range that is not decided.
+struct Free_end
+{
+  enum class Kind { FRONT_END, CONTACT, UNDECIDED };
+
+  Kind kind = Kind::FRONT_END;
+  Range location{};             // holds the parameter
+  Disk_contact contact{};       // the second one
+  Range contact_location{};     // on an arc
+};
+
+using Free_range = std::array<Free_end, 2>;   // begin, end
+
+// The ranges of a front in which disks are free, in order, and those that are not decided.
+struct Free_ranges
+{
+  std::vector<Free_range> free;
+  std::vector<Range> undecided;
+};
+
+/*
+Where a disk of a given radius r that touches a front has no curve inside.
+
+With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the front, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one contact is
+left and K - T is monotone, its signs at both ends tell whether it has its only zero there.
+*/
+class Free_disks
+{
+  static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
+  static constexpr double least_width = 0x1p-33;
+  static constexpr int most_nodes = 2000;
+  static constexpr int most_halvings = 12;
+
+  const Site_graph_2& m_graph;
+  Disk_curvature m_curvature;
+  Disk_candidates m_candidates;
+  std::optional<Disk_slopes> m_slopes;
+  Exact_rational m_exact_radius;
+  Interval m_radius;
+  Free_ranges m_result;
+  Free_end m_boundary;      // the last one of what has been swept
+  bool m_is_free = false;   // behind it
+  int m_nodes = 0;
+
+public:
+  Free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_rational& radius)
+    : m_graph(graph), m_curvature(graph), m_candidates(graph, tree), m_exact_radius(radius), m_radius(interval_of(radius))
+  {}
+
+  Free_ranges operator()(std::size_t front)
+  {
+    m_result = {};
+    m_boundary = {Free_end::Kind::FRONT_END, {0, 0}};
+    m_is_free = false;
+    m_nodes = 0;
+    m_slopes.emplace(m_graph, front);
+    if (const int sign = sign_in_own_circle(front); sign < 0)
+      sweep(front, Range(), m_candidates.all());
+    else if (sign == 0)
+      append_undecided(Range());
+    return std::move(m_result);
+  }
+
+private:
+  void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
+  {
+    const Front_part part = m_curvature.part(front, range);
+    const double least = m_candidates.prune(part, candidates);
+    const Interval wanted = wanted_curvature(part);
+    if (least > wanted.sup()) {
+      append_covered();
+      return;
+    }
+    const auto remove = [&](const auto& is_low) { return std::erase_if(candidates, is_low) > 0; };
+    remove([&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() < wanted.inf(); });
+    const auto is_below_in_parts = [&](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings); };
+    if (resolve(part, candidates, least) || (remove(is_below_in_parts) && resolve(part, candidates, least)))
+      return;
+    if (range.width() < least_width || ++m_nodes > most_nodes) {
+      append_undecided(range);
+      return;
+    }
+    const double middle = range.begin + split_ratio * range.width();
+    sweep(front, {range.begin, middle}, candidates);
+    sweep(front, {middle, range.end}, std::move(candidates));
+  }
+
+  // Whether the disks through a range of an arc are larger, by bounds on its parts. Where the normal turns quickly, candidates are large.
+  bool is_below(const Front_part& part, std::size_t arc, const Range& range, double wanted, int halvings) const
+  {
+    const Curvature_bounds k = m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range));
+    if (k.is_below_vertex || k.value.sup() < wanted)
+      return true;
+    return halvings > 0 && is_below(part, arc, {range.begin, range.middle()}, wanted, halvings - 1) && is_below(part, arc, {range.middle(), range.end}, wanted, halvings - 1);
+  }
+
+  // The curvature of the disks of the radius.
+  Interval wanted_curvature(const Front_part& part) const { return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius; }
+
+  Interval wanted_slope(const Front_part& part) const { return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius); }
+
+  // The sign of K - T if only the circle is known that a front is on the inner side of, by its exact radius; -1 for other fronts.
+  int sign_in_own_circle(std::size_t front) const
+  {
+    if (m_graph.fronts()[front].is_fan)
+      return -1;
+    const std::size_t arc = m_graph.fronts()[front].object;
+    const auto& circle = m_graph.arcs()[arc].circle();
+    if (!circle || !(m_curvature(m_curvature.part(front, {0.5, 0.5}), m_graph.vertex_of({arc, false})).value.inf() > 0))
+      return -1;
+    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - circle->second));
+  }
+
+  // Decides a range with one contact that may be reached, or none.
+  bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  {
+    if (candidates.empty()) {
+      append_free(part.range);
+      return true;
+    }
+    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    if (!contacts.are_known())
+      return false;
+    std::vector<Disk_branch> branches = contacts.highest();
+    std::erase_if(branches, [](const Disk_branch& branch) { return branch.contact.kind == Disk_contact::Kind::NOTHING || branch.contact.kind == Disk_contact::Kind::CIRCLE; });   // they are lower
+    if (branches.empty()) {
+      append_free(part.range);
+      return true;
+    }
+    return branches.size() == 1 && !branches[0].move && certain_sign(slope(part, branches[0]) - wanted_slope(part)) != 0 && append_monotone(part, branches[0]);
+  }
+
+  Interval slope(const Front_part& part, const Located_contact& located) const
+  {
+    const std::size_t index = located.contact.index;
+    return located.contact.kind == Disk_contact::Kind::VERTEX ? m_curvature(part, index).du : m_curvature(part, index, located.range, m_graph.arcs()[index].jet(located.range)).du;
+  }
+
+  // The sign of K - T in a point, if K belongs to a contact.
+  int sign_at(std::size_t front, const Located_contact& located, double u) const
+  {
+    const Front_part point = m_curvature.part(front, {u, u});
+    return certain_sign(largest_curvature(m_graph, m_curvature, point, located).curvature - wanted_curvature(point));
+  }
+
+  bool append_monotone(const Front_part& part, const Located_contact& located)
+  {
+    const auto& [begin, end] = part.range;
+    const int at_begin = sign_at(part.front, located, begin), at_end = sign_at(part.front, located, end);
+    if (at_begin * at_end == 0)
+      return false;
+    if (at_begin == at_end) {
+      if (at_begin < 0)
+        append_free(part.range);
+      else
+        append_covered();
+      return true;
+    }
+    const Range zero = zero_within(part, located, at_begin);
+    const Free_end contact{Free_end::Kind::CONTACT, zero, located.contact, largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, zero), located).range};
+    if (at_begin < 0)
+      append_free({begin, zero.begin});
+    append_boundary(contact);
+    if (at_end < 0)
+      append_free({zero.end, end});
+    else
+      append_covered();
+    return true;
+  }
+
+  // Bisection while signs are certain.
+  Range zero_within(const Front_part& part, const Located_contact& located, int sign_at_begin) const
+  {
+    Range range = part.range;
+    for (const double share : {0.5, 0.4375, 0.5625})
+      for (;;) {
+        const double u = range.begin + share * range.width();
+        const int sign = range.begin < u && u < range.end ? sign_at(part.front, located, u) : 0;
+        if (sign == 0)
+          break;
+        (sign == sign_at_begin ? range.begin : range.end) = u;
+      }
+    return range;
+  }
+
+  void append_free(const Range& range)
+  {
+    if (!m_is_free)
+      m_result.free.push_back({m_boundary, {}});
+    m_is_free = true;
+    m_result.free.back()[1] = {Free_end::Kind::FRONT_END, {range.end, range.end}};
+  }
+
+  void append_covered() { m_boundary = {Free_end::Kind::UNDECIDED}; }   // the next boundary tells what follows
+
+  void append_boundary(const Free_end& boundary)
+  {
+    if (m_is_free)
+      m_result.free.back()[1] = boundary;
+    m_is_free = false;
+    m_boundary = boundary;
+  }
+
+  void append_undecided(const Range& range)
+  {
+    append_boundary({Free_end::Kind::UNDECIDED, range});
+    m_result.undecided.push_back(range);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H

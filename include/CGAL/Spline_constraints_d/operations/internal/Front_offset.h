@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FRONT_OFFSET_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FRONT_OFFSET_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The centers O(u) = X + r N / |N| of the disks of one radius that touch a front.
+*/
+class Front_offset
+{
+  const Site_graph_2& m_graph;
+  const Front& m_front;
+  Interval m_radius;
+
+public:
+  Front_offset(const Site_graph_2& graph, std::size_t front, const Interval& radius) : m_graph(graph), m_front(graph.fronts()[front]), m_radius(radius) {}
+
+  Interval_pair point(const Range& range) const
+  {
+    const Interval_pair naive = center(m_graph.front_jet(m_front, range));
+    if (range.is_number())
+      return naive;
+    const double u = range.middle();
+    return common_part(naive, center(m_graph.front_jet(m_front, {u, u})) + (range.interval() - Interval(u)) * derivative(range));
+  }
+
+  Interval_pair derivative(const Range& range) const
+  {
+    const Front_jet x = m_graph.front_jet(m_front, range);
+    const Interval square = squared_norm(x.normal);
+    if (!(square.inf() > 0))
+      return {any_number(), any_number()};
+    const Interval along = dot(x.normal, x.normal_derivative) / square;
+    return x.point_derivative + (m_radius / CGAL::sqrt(square)) * (x.normal_derivative - along * x.normal);
+  }
+
+  // Appends the parameters between two, and the second one, so that the offset is no farther than an error from the lines of the chords.
+  void append_stops(double from, double to, double error, std::vector<double>& stops, int depth = 0) const
+  {
+    constexpr int most_depth = 24;
+    if (depth >= most_depth || height({(std::min)(from, to), (std::max)(from, to)}) <= error) {
+      stops.push_back(to);
+      return;
+    }
+    const double middle = from / 2 + to / 2;
+    append_stops(from, middle, error, stops, depth + 1);
+    append_stops(middle, to, error, stops, depth + 1);
+  }
+
+  // The angle by which the direction from a point to the offset turns; nothing if the offset passes the point too closely to tell.
+  std::optional<double> turn_around(const Interval_pair& p, double from, double to, int depth = 0) const
+  {
+    constexpr int most_depth = 40;
+    const double middle = from / 2 + to / 2;
+    const Interval_pair way = point({(std::min)(from, to), (std::max)(from, to)}) - p;
+    if (dot(way, point({middle, middle}) - p).inf() > 0) {   // it stays in a half-plane
+      const Interval_pair a = point({from, from}) - p, b = point({to, to}) - p;
+      const Interval sine = dot(turned_left(a), b), cosine = dot(a, b);
+      return std::atan2(sine.inf() / 2 + sine.sup() / 2, cosine.inf() / 2 + cosine.sup() / 2);
+    }
+    if (depth >= most_depth)
+      return std::nullopt;
+    const auto first = turn_around(p, from, middle, depth + 1);
+    const auto second = first ? turn_around(p, middle, to, depth + 1) : std::nullopt;
+    return second ? std::optional(*first + *second) : std::nullopt;
+  }
+
+private:
+  Interval_pair center(const Front_jet& x) const { return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal; }
+
+  // A bound of the distance from the line of the chord.
+  double height(const Range& range) const
+  {
+    const Interval_pair chord = point({range.end, range.end}) - point({range.begin, range.begin});
+    const Interval length = CGAL::sqrt(squared_norm(chord));
+    if (!(length.inf() > 0))
+      return range.width() > 0 ? std::numeric_limits<double>::infinity() : 0;
+    const Interval rise = dot(turned_left(chord), derivative(range)) / length * (Interval(range.end) - Interval(range.begin)) / Interval(2);   // at most half of the way up
+    return (std::max)(rise.sup(), -rise.inf());
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FRONT_OFFSET_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TOUCHED_FRONT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TOUCHED_FRONT_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A front that a disk touches, and a range with the parameter of the contact there.
+struct Touched_front
+{
+  std::size_t front;
+  Range range;
+};
+
+// Whether the disks of a contact may touch a front.
+inline bool is_contact_with(const Disk_contact& contact, const Front& front)
+{
+  return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
+}
+
+// The front of a contact: the side of the arc on which the center of the disk is, or the fan of the vertex with the normal towards it; nothing if that is not certain. The range is that of the parameter of an arc.
+inline std::optional<Touched_front> touched_front(const Site_graph_2& graph, const Disk_contact& contact, const Range& range, const Interval_pair& center)
+{
+  if (contact.kind == Disk_contact::Kind::ARC) {
+    const Curve_jet y = graph.arcs()[contact.index].jet(range, 1);
+    const int side = certain_sign(dot(turned_left(y[1]), center - y[0]));
+    return side == 0 ? std::nullopt : std::optional(Touched_front{2 * contact.index + (side < 0), range});
+  }
+  const Site_graph_2::Vertex& vertex = graph.vertices()[contact.index];
+  const Interval_pair way = center - vertex.point;
+  for (const std::size_t fan : vertex.fans) {
+    const auto& [from, to] = graph.fronts()[fan].normals;
+    const Interval a = dot(turned_left(way), from), b = dot(turned_left(to), way);   // way x from, to x way
+    if (a.inf() > 0 && b.inf() > 0) {
+      const Interval u = a / (a + b);
+      return Touched_front{fan, {u.inf(), u.sup()}};
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TOUCHED_FRONT_H

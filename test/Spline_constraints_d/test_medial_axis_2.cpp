@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Medial axes: of a segment of a parabola, a triangle and an L in closed form; of regions with holes, every disk is inside and touches the boundary twice, and there is one cycle for each hole.
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using P = K::Point_2;
+using Curve = SC::Bspline_curve_2<K>;
+using Curves = std::vector<Curve>;
+using Axis = SC::Voronoi_diagram_2<K>;
+
+Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
+
+SC::Planar_region_2<K> polygon(const std::vector<P>& corners)
+{
+  Curves sides;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sides.push_back(bezier({corners[i], corners[(i + 1) % corners.size()]}));
+  return SC::planar_region(sides);
+}
+
+double distance(const P& p, const P& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+std::size_t number_of_vertices(const Axis& axis, std::size_t degree)
+{
+  return static_cast<std::size_t>(std::count_if(axis.vertices().begin(), axis.vertices().end(), [&](const auto& v) { return v.edges.size() == degree; }));
+}
+
+bool has_vertex(const Axis& axis, const P& p, double radius)
+{
+  return std::any_of(axis.vertices().begin(), axis.vertices().end(), [&](const auto& v) { return distance(v.point, p) < 1e-9 && std::abs(v.radius - radius) < 1e-9; });
+}
+
+// Between y = x^2 and y = 4: it begins in the center of curvature (0, 1/2), and branches in (0, 5/2).
+TEST(MedialAxis, SegmentOfAParabola)
+{
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.number_of_regions(), 1U);
+  EXPECT_EQ(axis.edges().size(), 3U);
+  EXPECT_EQ(axis.vertices().size(), 4U);
+  EXPECT_TRUE(has_vertex(axis, P(0, 0.5), 0.5));
+  EXPECT_TRUE(has_vertex(axis, P(0, 2.5), 1.5));
+  EXPECT_TRUE(has_vertex(axis, P(-2, 4), 0));
+  EXPECT_TRUE(has_vertex(axis, P(2, 4), 0));
+  for (std::size_t e = 0; e < axis.edges().size(); ++e)
+    for (const auto& sample : axis.polyline(e, 0.01))
+      if (axis.edges()[e].sites[0] == axis.edges()[e].sites[1]) {
+        EXPECT_NEAR(sample.point.x(), 0, 1e-9);
+        EXPECT_NEAR(sample.radius, std::sqrt(sample.point.y() - 0.25), 1e-9);
+      } else
+        EXPECT_NEAR(sample.radius, 4 - sample.point.y(), 1e-9);
+}
+
+// Sides 3, 4, 5: a tree with the center of the inscribed circle and the corners.
+TEST(MedialAxis, Triangle)
+{
+  const Axis axis = SC::medial_axis(polygon({P(0, 0), P(4, 0), P(0, 3)}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size(), 3U);
+  EXPECT_EQ(number_of_vertices(axis, 1), 3U);
+  EXPECT_EQ(number_of_vertices(axis, 3), 1U);
+  EXPECT_TRUE(has_vertex(axis, P(1, 1), 1));
+  for (const P& corner : {P(0, 0), P(4, 0), P(0, 3)})
+    EXPECT_TRUE(has_vertex(axis, corner, 0));
+}
+
+// An L with arms of widths 2 and 3: no edge ends in the reflex corner, which is a site of edges between. The disk at the end of an arm touches three sides.
+TEST(MedialAxis, ReflexCorner)
+{
+  const Axis axis = SC::medial_axis(polygon({P(0, 0), P(10, 0), P(10, 2), P(3, 2), P(3, 9), P(0, 9)}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size(), axis.vertices().size() - 1);
+  EXPECT_EQ(number_of_vertices(axis, 1), 5U);
+  EXPECT_TRUE(has_vertex(axis, P(9, 1), 1));
+  EXPECT_TRUE(has_vertex(axis, P(1.5, 7.5), 1.5));
+  EXPECT_FALSE(has_vertex(axis, P(3, 2), 0));
+  EXPECT_TRUE(std::any_of(axis.edges().begin(), axis.edges().end(), [&](const auto& edge) {
+    return std::any_of(edge.sites.begin(), edge.sites.end(), [&](std::size_t site) { return axis.sites()[site].is_point && axis.sites()[site].point == P(3, 2); });
+  }));
+}
+
+// The outline and the holes are closed curves: the axis is connected, and has a cycle for each hole.
+TEST(MedialAxis, RegionWithHoles)
+{
+  const Curves curves{bezier({P(0, 0), P(12, -6), P(16, 4), P(12, 10)}), bezier({P(12, 10), P(2, 14), P(-4, 6), P(0, 0)}), bezier({P(3, 3), P(6, 2), P(4, 6), P(3, 3)}), bezier({P(8, 5), P(11, 3), P(10, 9), P(8, 5)})};
+  const auto region = SC::planar_region(curves);
+  ASSERT_EQ(region.number_of_holes(), 2U);
+  const Axis axis = SC::medial_axis(region);
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.number_of_regions(), 3U);
+  EXPECT_EQ(axis.edges().size(), axis.vertices().size() + 1);
+
+  std::vector<P> boundary;
+  for (const Curve& curve : curves)
+    for (int i = 0; i <= 100; ++i)
+      boundary.push_back(curve(i / 100.0));
+  std::size_t samples = 0;
+  for (std::size_t e = 0; e < axis.edges().size(); ++e) {
+    const auto polyline = axis.polyline(e, 0.05);
+    EXPECT_EQ(region.bounded_side(polyline[polyline.size() / 2].point), CGAL::ON_BOUNDED_SIDE);
+    for (const auto& sample : polyline) {
+      ++samples;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const auto& site = axis.sites()[axis.edges()[e].sites[side]];
+        EXPECT_NEAR(distance(sample.point, site.is_point ? site.point : curves[site.curve](sample.parameters[side])), sample.radius, 1e-8);
+      }
+      for (const P& p : boundary)
+        EXPECT_GT(distance(sample.point, p), sample.radius - 1e-8);
+    }
+  }
+  EXPECT_GT(samples, 2 * axis.edges().size());
+}

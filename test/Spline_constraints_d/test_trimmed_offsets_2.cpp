@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Trimmed offsets: areas in closed form, events at known radii and parameters; of curves that cross each other, every point has the distance, the area is that found by random points, and motions do not change anything.
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using P = K::Point_2;
+using Curve = SC::Bspline_curve_2<K>;
+using Curves = std::vector<Curve>;
+using Offset = SC::Trimmed_offset_2<K>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double tolerance = 0.02;   // of areas: chords miss two thirds of 0.0001 times the length
+
+Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
+
+Curves polygon_sides(const std::vector<P>& corners)
+{
+  Curves sides;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sides.push_back(bezier({corners[i], corners[(i + 1) % corners.size()]}));
+  return sides;
+}
+
+double area(const Offset& offset, double error = 1e-4)
+{
+  double result = 0;
+  for (const auto& polygon : offset.polygons_with_holes(error)) {
+    result += polygon.outer_boundary().area();
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      result += hole->area();
+  }
+  return result;
+}
+
+struct Counts
+{
+  std::size_t components = 0, holes = 0, arcs = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+Counts counts(const Offset& offset)
+{
+  EXPECT_TRUE(offset.is_complete());
+  Counts result{0, 0, offset.arcs().size()};
+  for (const auto& boundary : offset.boundaries())
+    ++(boundary.is_hole ? result.holes : result.components);
+  return result;
+}
+
+TEST(TrimmedOffsets, Points)
+{
+  const Offset one = SC::trimmed_offset(Curves(), 2, {P(1, 3)});
+  EXPECT_EQ(counts(one), (Counts{1, 0, 1}));
+  EXPECT_TRUE(one.arcs()[0].is_circular);
+  EXPECT_EQ(one.arcs()[0].center, P(1, 3));
+  EXPECT_NEAR(area(one), 4 * pi, tolerance);
+
+  const std::vector<P> points{P(0, 0), P(2, 0)};
+  EXPECT_EQ(counts(SC::trimmed_offset(Curves(), 0.999, points)), (Counts{2, 0, 2}));
+  EXPECT_FALSE(SC::trimmed_offset(Curves(), 1, points).is_complete());   // the circles touch
+  const Offset merged = SC::trimmed_offset(Curves(), 2, points);
+  EXPECT_EQ(counts(merged), (Counts{1, 0, 2}));
+  EXPECT_NEAR(area(merged), 16 * pi / 3 + 2 * std::sqrt(3.0), tolerance);   // each disk loses a segment of 120 degrees
+}
+
+TEST(TrimmedOffsets, SegmentHasRoundEnds)
+{
+  const Offset offset = SC::trimmed_offset(Curves{bezier({P(1, 1), P(4, 5)})}, 2);
+  EXPECT_EQ(counts(offset), (Counts{1, 0, 4}));
+  EXPECT_EQ(std::count_if(offset.arcs().begin(), offset.arcs().end(), [](const auto& arc) { return arc.is_circular; }), 2);
+  EXPECT_NEAR(area(offset), 20 + 4 * pi, tolerance);
+}
+
+TEST(TrimmedOffsets, CircleOfFourArcs)
+{
+  const Curves circle{SC::ellipse_curve(P(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 3))};
+  const Offset ring = SC::trimmed_offset(circle, 1);
+  EXPECT_EQ(counts(ring), (Counts{1, 1, 2}));
+  EXPECT_NEAR(area(ring), 12 * pi, tolerance);
+  const Offset disk = SC::trimmed_offset(circle, 4);
+  EXPECT_EQ(counts(disk), (Counts{1, 0, 1}));
+  EXPECT_NEAR(area(disk), 49 * pi, tolerance);
+  EXPECT_FALSE(SC::trimmed_offset(circle, 3).is_complete());   // the inner offset is a point
+}
+
+// Sides 3, 4, 5, and an inscribed circle of radius 1: inside, a similar triangle is left.
+TEST(TrimmedOffsets, Triangle)
+{
+  const Curves sides = polygon_sides({P(0, 0), P(4, 0), P(0, 3)});
+  for (const double r : {0.25, 0.5, 0.875}) {
+    const Offset offset = SC::trimmed_offset(sides, r);
+    EXPECT_EQ(counts(offset), (Counts{1, 1, 9}));
+    EXPECT_NEAR(area(offset), 6 + 12 * r + pi * r * r - 6 * (1 - r) * (1 - r), tolerance);
+  }
+  EXPECT_EQ(counts(SC::trimmed_offset(sides, 1.125)), (Counts{1, 0, 6}));
+}
+
+// Two rooms and a corridor that is two units wide.
+TEST(TrimmedOffsets, InnerOffsetFallsIntoParts)
+{
+  const Curves walls = polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)});
+  EXPECT_EQ(counts(SC::trimmed_offset(walls, 0.75)).holes, 1U);
+  EXPECT_EQ(counts(SC::trimmed_offset(walls, 1.25)).holes, 2U);
+  EXPECT_EQ(counts(SC::trimmed_offset(walls, 3)).holes, 0U);
+}
+
+// Two rooms and a corridor, as a region that shrinks, and grows with round corners; area and perimeter are 68 and 48, there are eight convex corners and four reflex ones.
+TEST(TrimmedOffsets, RegionShrinksAndGrows)
+{
+  const auto rooms = SC::planar_region(polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)}));
+  const Offset grown = SC::trimmed_offset(rooms, 0.5);
+  EXPECT_EQ(counts(grown), (Counts{1, 0, 20}));
+  EXPECT_NEAR(area(grown), 68 + 48 * 0.5 + 8 * pi / 16 - 4 * 0.25, tolerance);
+  const Offset shrunk = SC::trimmed_offset(rooms, -0.5);
+  EXPECT_EQ(counts(shrunk), (Counts{1, 0, 16}));
+  EXPECT_NEAR(area(shrunk), 68 - 48 * 0.5 - 4 * pi / 16 + 8 * 0.25, tolerance);
+  const Offset parts = SC::trimmed_offset(rooms, -1.25);
+  EXPECT_EQ(counts(parts).components, 2U);
+  EXPECT_EQ(parts.polygons_with_holes(0.01).size(), 2U);
+  EXPECT_EQ(counts(SC::trimmed_offset(rooms, -3)), Counts());   // nothing is left
+}
+
+// A square with a round hole, which shrinks to a thin frame, and grows until the hole is closed.
+TEST(TrimmedOffsets, RegionWithAHole)
+{
+  Curves curves = polygon_sides({P(-4, -4), P(4, -4), P(4, 4), P(-4, 4)});
+  curves.push_back(SC::ellipse_curve(P(0, 0), K::Vector_2(2, 0), K::Vector_2(0, 2)));
+  const auto frame = SC::planar_region(curves);
+  const Offset thin = SC::trimmed_offset(frame, -0.75);
+  EXPECT_EQ(counts(thin), (Counts{1, 1, 5}));
+  EXPECT_NEAR(area(thin), 6.5 * 6.5 - 2.75 * 2.75 * pi, tolerance);
+  EXPECT_EQ(counts(SC::trimmed_offset(frame, -1.25)).components, 4U);   // one in each corner
+  const Offset thick = SC::trimmed_offset(frame, 1);
+  EXPECT_EQ(counts(thick), (Counts{1, 1, 9}));
+  EXPECT_NEAR(area(thick), 64 + 32 + pi - pi, tolerance);
+  EXPECT_EQ(counts(SC::trimmed_offset(frame, 2.5)), (Counts{1, 0, 8}));
+  EXPECT_THROW(SC::trimmed_offset(frame, 0), SC::Invalid_input);
+}
+
+// A disk within a ring: an offset has two components, one of them in the hole of the other one.
+TEST(TrimmedOffsets, ComponentInAHole)
+{
+  const auto circle = [](double r) { return SC::ellipse_curve(P(0, 0), K::Vector_2(r, 0), K::Vector_2(0, r)); };
+  const Offset offset = SC::trimmed_offset(Curves{circle(8), circle(4)}, 1, {P(1, 0)});
+  EXPECT_EQ(counts(offset), (Counts{3, 2, 5}));
+  EXPECT_NEAR(area(offset), pi * (81 - 49 + 25 - 9 + 1), tolerance);
+  const auto polygons = offset.polygons_with_holes(0.01);
+  ASSERT_EQ(polygons.size(), 3U);
+  for (const auto& polygon : polygons) {
+    const double size = polygon.outer_boundary().bbox().xmax();
+    EXPECT_EQ(polygon.number_of_holes(), size > 3 ? 1U : 0U);
+    if (size > 3) {
+      EXPECT_NEAR(polygon.holes_begin()->bbox().xmax(), size - 2, 0.02);
+    }
+  }
+}
+
+// The inner offset of y = x^2 at distance 1 crosses itself at x = +- sqrt(3) / 2.
+TEST(TrimmedOffsets, ParabolaIsCutWhereItsOffsetCrossesItself)
+{
+  const Offset offset = SC::trimmed_offset(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)})}, 1);
+  EXPECT_EQ(counts(offset), (Counts{1, 0, 5}));
+  std::vector<double> cuts;
+  for (const auto& arc : offset.arcs())
+    for (const double t : arc.parameters)
+      if (!arc.is_circular && t > 0 && t < 1)
+        cuts.push_back(4 * t - 2);
+  std::sort(cuts.begin(), cuts.end());
+  ASSERT_EQ(cuts.size(), 2U);
+  EXPECT_NEAR(cuts[0], -std::sqrt(3.0) / 2, 1e-12);
+  EXPECT_NEAR(cuts[1], std::sqrt(3.0) / 2, 1e-12);
+}
+
+Curves random_cubics(std::mt19937& random, int number)
+{
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  Curves curves;
+  for (int i = 0; i < number; ++i) {
+    std::vector<P> points;
+    for (int k = 0; k < 4; ++k)
+      points.emplace_back(coordinate(random), coordinate(random));
+    curves.push_back(bezier(points));
+  }
+  return curves;
+}
+
+std::vector<P> points_of(const Curves& curves)
+{
+  constexpr int steps = 200;
+  std::vector<P> points;
+  for (const Curve& curve : curves)
+    for (int i = 0; i <= steps; ++i)
+      points.push_back(curve(static_cast<double>(i) / steps));
+  return points;
+}
+
+double distance(const P& p, const std::vector<P>& points)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const P& q : points)
+    least = (std::min)(least, CGAL::squared_distance(p, q));
+  return std::sqrt(least);
+}
+
+// Curves that cross each other and themselves.
+TEST(TrimmedOffsets, RandomScenes)
+{
+  std::mt19937 random(5);
+  const K::Aff_transformation_2 motion(0.6, -0.8, 3, 0.8, 0.6, -5);
+  for (const double r : {0.25, 0.75}) {
+    const Curves curves = random_cubics(random, 3);
+    const Offset offset = SC::trimmed_offset(curves, r);
+    const Counts found = counts(offset);
+    EXPECT_GE(found.components, 1U);
+
+    const std::vector<P> points = points_of(curves);
+    for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
+      for (const P& p : offset.polyline(arc, 0.02))
+        EXPECT_NEAR(distance(p, points), r, 0.02);
+
+    constexpr int samples = 2000;
+    constexpr double low = -2, high = 12, square = (high - low) * (high - low);
+    std::uniform_real_distribution<double> coordinate(low, high);
+    int inside = 0;
+    for (int i = 0; i < samples; ++i)
+      inside += distance(P(coordinate(random), coordinate(random)), points) < r;
+    const double share = area(offset) / square;
+    EXPECT_NEAR(static_cast<double>(inside) / samples, share, 5 * std::sqrt(share * (1 - share) / samples));
+
+    if (r < 0.5)
+      continue;
+    Curves moved;
+    for (const Curve& curve : curves)
+      moved.push_back(curve.transformed(motion));
+    const Offset offset_of_moved = SC::trimmed_offset(moved, r);
+    EXPECT_EQ(counts(offset_of_moved), found);
+    EXPECT_NEAR(area(offset_of_moved), area(offset), tolerance);
+  }
+}
+
+TEST(TrimmedOffsets, BadInput)
+{
+  const Curves segment{bezier({P(0, 0), P(1, 0)})};
+  for (const double r : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(SC::trimmed_offset(segment, r), SC::Invalid_input);
+  EXPECT_THROW(SC::trimmed_offset(Curves{bezier({P(1, 1), P(1, 1)})}, 1), SC::Invalid_input);
+  const Offset offset = SC::trimmed_offset(segment, 1);
+  EXPECT_THROW(offset.polyline(0, 0), SC::Invalid_input);
+  EXPECT_THROW(offset.polygons_with_holes(-1), SC::Invalid_input);
+  EXPECT_TRUE(SC::trimmed_offset(Curves(), 1).boundaries().empty());
+}
