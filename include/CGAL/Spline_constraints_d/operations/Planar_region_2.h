@@ -155,10 +155,10 @@ private:
     for (const Intersection_curve& chain : internal::chains_of_curves(is_closed, [&](const End& end) { return std::optional<End>(next[end.curve][end.side]); })) {
       Boundary boundary{{}, false};
       std::vector<internal::Boundary_piece> all;
-      for (const auto& [index, is_reversed] : chain.arcs) {
-        boundary.arcs.push_back({index, is_reversed});
-        internal::Boundary_loop_2 part(pieces[index]);
-        if (is_reversed)
+      for (const Intersection_arc& arc : chain.arcs) {
+        boundary.arcs.push_back({arc.index, arc.is_reversed});
+        internal::Boundary_loop_2 part(pieces[arc.index]);
+        if (arc.is_reversed)
           part.reverse();
         all.insert(all.end(), part.pieces().begin(), part.pieces().end());
       }
