@@ -21,6 +21,13 @@ namespace internal {
 // The signs that a function takes along paths, in order. Falling: from positive to negative, just once; or on some paths only negative. None: no piece matters.
 enum class Sign_pattern { UNKNOWN, NONE, ZERO, POSITIVE, NEGATIVE, FALLING, FALLING_OR_NEGATIVE };
 
+// The pattern of the pieces that matter, and whether the paths begin and end with some that do not.
+struct Path_signs
+{
+  Sign_pattern pattern;
+  bool begin_irrelevant = false, end_irrelevant = false;
+};
+
 /*
 The signs of a polynomial p(a,b) for small a, b > 0, also where it is zero for a = b = 0. With d the lowest degree of a term,
 
@@ -118,20 +125,31 @@ public:
 
   // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of factors at their begins do not count.
   template <class Is_irrelevant>
-  Sign_pattern pattern(const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const
+  Path_signs signs(const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const
   {
     if (is_zero())
-      return Sign_pattern::ZERO;
+      return {Sign_pattern::ZERO};
     Pieces pieces;
     const double first = (Interval(b.begin) / Interval(a.end)).inf();
     const double last = a.begin > 0 ? (std::min)(most_ratio, (Interval(b.end) / Interval(a.begin)).sup()) : most_ratio;
     if (first < last && !append_ratios(a, {first, last}, 0, is_irrelevant, pieces))
-      return Sign_pattern::UNKNOWN;
+      return {Sign_pattern::UNKNOWN};
     const Range far{(std::max)(b.begin, (Interval(most_ratio) * Interval(a.begin)).inf()), b.end};
     if (far.begin < far.end && !append_far(a, far, {0, 1 / most_ratio}, 0, is_irrelevant, pieces))
-      return Sign_pattern::UNKNOWN;
+      return {Sign_pattern::UNKNOWN};
+    return {pattern(pieces, a, b), pieces.begins_irrelevant, pieces.ends_irrelevant};
+  }
+
+  Sign_pattern pattern(const Range& a, const Range& b) const
+  {
+    return signs(a, b, [](const Chart_range&) { return false; }).pattern;
+  }
+
+private:
+  Sign_pattern pattern(const Pieces& pieces, const Range& a, const Range& b) const
+  {
     if (!pieces.first)
-      return Sign_pattern::NONE;
+      return pieces.begins_irrelevant ? Sign_pattern::NONE : Sign_pattern::UNKNOWN;
     if (pieces.has_sign && !pieces.begins_irrelevant && !pieces.ends_irrelevant)
       return *pieces.first == Piece::POSITIVE ? Sign_pattern::POSITIVE : Sign_pattern::NEGATIVE;
     const int begin = pieces.begins_irrelevant ? 1 : sign_at(a, b.begin), end = pieces.ends_irrelevant ? -1 : sign_at(a, b.end);
@@ -140,12 +158,8 @@ public:
     return end == 0 ? Sign_pattern::UNKNOWN : begin == 0 ? Sign_pattern::FALLING_OR_NEGATIVE : Sign_pattern::FALLING;
   }
 
-  Sign_pattern pattern(const Range& a, const Range& b) const
-  {
-    return pattern(a, b, [](const Chart_range&) { return false; });
-  }
+  static bool is_zero_number(const Interval& x) { return x.inf() == 0 && x.sup() == 0; }
 
-private:
   static Power_polynomial power_product(const Monomial& monomial)
   {
     Power_polynomial result(1);
@@ -161,7 +175,7 @@ private:
     if (b > 0)
       return certain_sign(at(Interval(b), a.interval() / Interval(b), true).value);
     // p(a,0), where a power of a may be a factor
-    const auto first = std::find_if(m_rows.begin(), m_rows.end(), [](const auto& row) { return row.front() != Interval(0); });
+    const auto first = std::find_if(m_rows.begin(), m_rows.end(), [](const auto& row) { return !is_zero_number(row.front()); });
     Interval value(0);
     for (auto row = m_rows.end(); row != first; )
       value = value * a.interval() + (--row)->front();
@@ -187,7 +201,7 @@ private:
   }
 
   // Whether h(0,0) = 0.
-  bool is_zero_in_far_corner() const { return m_rows[0].back() == Interval(0); }
+  bool is_zero_in_far_corner() const { return is_zero_number(m_rows[0].back()); }
 
   // By the derivatives of h, where h(0,0) = 0: along the path its derivative is h_b - (l/b) h_l.
   static Piece piece_at_far_corner(const Value& h)

@@ -46,7 +46,7 @@ class Disk_contacts
 {
   static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
 
-  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; or is not known
+  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
 
   struct Cluster
   {
@@ -249,13 +249,14 @@ private:
   bool has_known_slopes(Cluster& cluster) const
   {
     return is_any_end(cluster, [&](const Disk_slope& slope, const Range& a, const Range& b, bool end) {
-      const Sign_pattern pattern = slope.slopes(a, b, m_least);
-      if (pattern == Sign_pattern::UNKNOWN || pattern == Sign_pattern::ZERO)
+      const Path_signs signs = slope.slopes(a, b, m_least);
+      if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
         return false;
-      cluster.is_too_low = pattern == Sign_pattern::NONE;
+      cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
       cluster.least = m_least;
-      cluster.ends[end] = pattern == Sign_pattern::NEGATIVE ? End_state::MAXIMUM : pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : End_state::NOT_A_MAXIMUM;
-      cluster.ends[!end] = pattern == Sign_pattern::POSITIVE ? End_state::MAXIMUM : End_state::NOT_A_MAXIMUM;
+      const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
+      cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
+      cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
       return true;
     });
   }
@@ -424,7 +425,7 @@ private:
     if (!continuation)
       return Located_contact{{Disk_contact::Kind::VERTEX, vertex}};
     const Cluster* next = cluster_at(continuation->end);
-    if (next == nullptr || next->ends[continuation->end.is_end] == End_state::MAXIMUM)
+    if (next == nullptr || next->ends[continuation->end.is_end] == End_state::MAXIMUM || next->ends[continuation->end.is_end] == End_state::TOO_LOW)
       return std::nullopt;
     if (next->ends[continuation->end.is_end] == End_state::NOT_A_MAXIMUM)
       m_are_known = false;

@@ -74,9 +74,9 @@ public:
   }
 
   // The signs of k_b for all disks that touch the front at some distance from its end, where b runs over a range, but for disks of less than some curvature.
-  Sign_pattern slopes(const Range& a, const Range& b, double least) const
+  Path_signs slopes(const Range& a, const Range& b, double least) const
   {
-    return m_slope.pattern(a, scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return curvature(range).sup() < least; });
+    return m_slope.signs(a, scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return curvature(range).sup() < least; });
   }
 
   // Whether no disk of a range is in the half-plane of its normal.
