@@ -21,7 +21,7 @@ the Voronoi diagram of curves and points in the plane: which of them is nearest,
 
 The sites are the polynomial pieces of the curves, their ends, and the points. Curves may share end points. They must not cross or touch each other elsewhere, nor have a zero derivative: this is not checked, but there the diagram is not resolved, and `Voronoi_diagram_2::is_complete()` is false.
 
-For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. They are connected by their
+For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. Where curves join smoothly exact polynomials decide, and vertices of four sites or more are decided exactly if the sites are points, lines and circles and the center is rational. All are connected by their
 contacts, not by coordinates.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides to all cores through TBB. The answers are the same.
