@@ -242,7 +242,7 @@ private:
   // g or h and its derivatives, by Horner's rule.
   Value at(const Interval& radius, const Interval& ratio, bool is_inverse) const
   {
-    Value result{};
+    Value result{Interval(0), Interval(0), Interval(0)};   // a default interval is no number
     for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
       Interval value(0), derivative(0);
       for (std::size_t k = row->size(); k-- > 0;) {
