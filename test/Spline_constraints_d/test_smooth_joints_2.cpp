@@ -97,7 +97,7 @@ TEST(SmoothJoints, Drop)
 TEST(SmoothJoints, RandomClosedSplines)
 {
   std::mt19937 random(5);
-  for (int run = 0; run < 8; ++run) {
+  for (int run = 0; run < 4; ++run) {
     const int degree = run % 2 == 0 ? 3 : 2, n = 5 + run % 3;
     std::vector<P> points;
     std::vector<double> knots{0};
@@ -111,7 +111,7 @@ TEST(SmoothJoints, RandomClosedSplines)
     EXPECT_TRUE(diagram.is_complete()) << "run " << run;
     EXPECT_GT(diagram.edges().size(), 0U);
     expect_euler(diagram);
-    if (run < 2)
+    if (run == 0)
       expect_empty_disks(diagram, curves);
   }
 }
