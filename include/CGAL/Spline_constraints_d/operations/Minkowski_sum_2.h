@@ -131,7 +131,7 @@ public:
   }
 
   /*!
-  polygons next to the sum: the closed boundaries as polylines, holes with the polygon that they are in.
+  polygons next to the sum: the closed boundaries as polylines, holes with the innermost polygon that they are in. Boundaries that are not closed are left out, and holes of those.
   \param error the error of the polylines, which do not meet if it is small enough; positive.
   \throws Invalid_input when the error is not positive.
   */
@@ -151,12 +151,14 @@ public:
         else
           result.emplace_back(std::move(polygon));
       }
-    for (const CGAL::Polygon_2<Kernel>& hole : holes)
-      for (auto& polygon : result)
-        if (polygon.outer_boundary().bounded_side(hole[0]) == CGAL::ON_BOUNDED_SIDE) {
-          polygon.add_hole(hole);
-          break;
-        }
+    for (const CGAL::Polygon_2<Kernel>& hole : holes) {   // others may be around the innermost one
+      auto around = result.end();
+      for (auto polygon = result.begin(); polygon != result.end(); ++polygon)
+        if (polygon->outer_boundary().bounded_side(hole[0]) == CGAL::ON_BOUNDED_SIDE && (around == result.end() || polygon->outer_boundary().area() < around->outer_boundary().area()))
+          around = polygon;
+      if (around != result.end())
+        around->add_hole(hole);
+    }
     return result;
   }
 

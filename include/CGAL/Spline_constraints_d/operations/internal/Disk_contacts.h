@@ -452,16 +452,7 @@ private:
       m_branches.push_back(branch);
   }
 
-  // The curvature and its derivative by u, over the part.
-  Interval slope(const Disk_branch& branch) const
-  {
-    switch (branch.contact.kind) {
-    case Disk_contact::Kind::ARC: return at(m_part, branch.contact.index, branch.range).du;
-    case Disk_contact::Kind::VERTEX: return m_curvature(m_part, branch.contact.index).du;
-    case Disk_contact::Kind::CIRCLE: return m_curvature.of_own_circle(m_part).value().du;
-    default: return Interval(0);
-    }
-  }
+  Interval slope(const Disk_branch& branch) const { return slope_of_largest_curvature(m_graph, m_curvature, m_part, branch); }
 
   Interval maximum(const Front_part& part, const Disk_branch& branch) const { return largest_curvature(m_graph, m_curvature, part, branch).curvature; }
 

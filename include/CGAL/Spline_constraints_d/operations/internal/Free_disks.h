@@ -124,13 +124,9 @@ private:
   // The sign of K - T if only the circle is known that a front is on the inner side of, by its exact radius; -1 for other fronts.
   int sign_in_own_circle(std::size_t front) const
   {
-    if (m_graph.fronts()[front].is_fan)
+    if (!m_curvature.of_own_circle(m_curvature.part(front, {0.5, 0.5})))
       return -1;
-    const std::size_t arc = m_graph.fronts()[front].object;
-    const auto& circle = m_graph.arcs()[arc].circle();
-    if (!circle || !(m_curvature(m_curvature.part(front, {0.5, 0.5}), m_graph.vertex_of({arc, false})).value.inf() > 0))
-      return -1;
-    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - circle->second));
+    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - m_graph.arcs()[m_graph.fronts()[front].object].circle()->second));
   }
 
   // Decides a range with one contact that may be reached, or none.
@@ -149,13 +145,7 @@ private:
       append_free(part.range);
       return true;
     }
-    return branches.size() == 1 && !branches[0].move && certain_sign(slope(part, branches[0]) - wanted_slope(part)) != 0 && append_monotone(part, branches[0]);
-  }
-
-  Interval slope(const Front_part& part, const Located_contact& located) const
-  {
-    const std::size_t index = located.contact.index;
-    return located.contact.kind == Disk_contact::Kind::VERTEX ? m_curvature(part, index).du : m_curvature(part, index, located.range, m_graph.arcs()[index].jet(located.range)).du;
+    return branches.size() == 1 && !branches[0].move && certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, branches[0]) - wanted_slope(part)) != 0 && append_monotone(part, branches[0]);
   }
 
   // The sign of K - T in a point, if K belongs to a contact.
@@ -178,7 +168,7 @@ private:
         append_covered();
       return true;
     }
-    const Range zero = zero_within(part, located, at_begin);
+    const Range zero = range_of_zero(part.range, [&](double u) { return sign_at(part.front, located, u); }, at_begin);
     const Free_end contact{Free_end::Kind::CONTACT, zero, located.contact, largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, zero), located).range};
     if (at_begin < 0)
       append_free({begin, zero.begin});
@@ -188,21 +178,6 @@ private:
     else
       append_covered();
     return true;
-  }
-
-  // Bisection while signs are certain.
-  Range zero_within(const Front_part& part, const Located_contact& located, int sign_at_begin) const
-  {
-    Range range = part.range;
-    for (const double share : {0.5, 0.4375, 0.5625})
-      for (;;) {
-        const double u = range.begin + share * range.width();
-        const int sign = range.begin < u && u < range.end ? sign_at(part.front, located, u) : 0;
-        if (sign == 0)
-          break;
-        (sign == sign_at_begin ? range.begin : range.end) = u;
-      }
-    return range;
   }
 
   void append_free(const Range& range)

@@ -7,10 +7,10 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -77,12 +77,13 @@ template <class Curvature_at>
 Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
 {
   constexpr int steps = 50;
-  std::vector<double> points{range.begin};
-  for (int i = steps; i > 0; --i)
-    points.push_back(range.begin + range.width() * std::exp2(-i));
-  for (int i = 2; i <= steps; ++i)
-    points.push_back(range.end - range.width() * std::exp2(-i));
-  points.push_back(range.end);
+  std::array<double, 2 * steps + 1> points;
+  for (int i = 1; i <= steps; ++i) {
+    points[steps + 1 - i] = range.begin + range.width() * std::exp2(-i);
+    points[steps - 1 + i] = range.end - range.width() * std::exp2(-i);
+  }
+  points.front() = range.begin;
+  points.back() = range.end;
   std::size_t best = 1;
   double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
@@ -115,6 +116,35 @@ inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Dis
   case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
   default: return {Interval(0)};
   }
+}
+
+// The derivative of that curvature by the parameter of the front, over a part: where k_v = 0 it is k_u.
+inline Interval slope_of_largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  const std::size_t index = located.contact.index;
+  switch (located.contact.kind) {
+  case Disk_contact::Kind::ARC: return curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
+  case Disk_contact::Kind::VERTEX: return curvature(part, index).du;
+  case Disk_contact::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
+  default: return Interval(0);
+  }
+}
+
+// The only zero of a function in a range at whose ends it has different signs: bisection while signs are certain.
+template <class Sign_at>
+Range range_of_zero(Range range, const Sign_at& sign_at, int sign_at_begin)
+{
+  for (const double share : {0.5, 0.4375, 0.5625})
+    for (;;) {
+      const double u = range.begin + share * range.width();
+      if (!(range.begin < u && u < range.end))
+        return range;
+      const int sign = sign_at(u);
+      if (sign == 0)
+        break;
+      (sign == sign_at_begin ? range.begin : range.end) = u;
+    }
+  return range;
 }
 
 } // namespace internal

@@ -118,7 +118,7 @@ private:
     const auto sign_at = [&](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Common_disk disk(m_graph, center(m_curvature.part(part.front, located(part.range, sign_at, 1)), before), branches);
+    const Common_disk disk(m_graph, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), before), branches);
     return disk.touches(part) && std::all_of(branches.begin(), branches.end(), [&](const Disk_branch& branch) { return disk.touches(branch); }) && append_crossing(contacts, part.range, before, after);
   }
 
@@ -172,28 +172,11 @@ private:
       append(before, range);
       return true;
     }
-    const Range zero = located(range, sign_at, at_begin);
+    const Range zero = range_of_zero(range, sign_at, at_begin);
     append(before, {range.begin, zero.begin});
     m_stretches.back().events[1] = event;
     m_stretches.push_back({after.contact, {zero.end, range.end}, {event, Disk_event::NONE}, {{{zero.end, range.end}, after}}});
     return true;
-  }
-
-  // Bisection while signs are certain.
-  template <class Sign>
-  static Range located(Range range, const Sign& sign_at, int sign_at_begin)
-  {
-    for (double shift : {0.5, 0.4375, 0.5625})
-      for (;;) {
-        const double u = range.begin + shift * range.width();
-        if (!(range.begin < u && u < range.end))
-          return range;
-        const int sign = sign_at(u);
-        if (sign == 0)
-          break;
-        (sign == sign_at_begin ? range.begin : range.end) = u;
-      }
-    return range;
   }
 
   void append(const Located_contact& located, const Range& range)
