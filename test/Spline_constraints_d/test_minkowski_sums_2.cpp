@@ -222,6 +222,20 @@ TEST(minkowski_sums_2, holes)
 }
 
 // The same after a rotation and translations of both regions.
+// A ring within the hole of a ring: each hole belongs to its own polygon.
+TEST(minkowski_sums_2, rings_in_rings)
+{
+  const Sum sum = SC::minkowski_sum(SC::planar_region(std::vector<Curve>{circle(0, 0, 10), circle(0, 0, 8), circle(0, 0, 4), circle(0, 0, 2)}), disk(0.5));
+  expect_complete(sum, 4, 2);
+  const auto polygons = sum.polygons_with_holes(1e-3);
+  ASSERT_EQ(polygons.size(), 2U);
+  for (const auto& polygon : polygons) {
+    ASSERT_EQ(polygon.number_of_holes(), 1U);
+    const double outer = std::sqrt(polygon.outer_boundary().area() / CGAL_PI), inner = std::sqrt(-polygon.holes_begin()->area() / CGAL_PI);
+    EXPECT_NEAR(outer - inner, 3, 0.01);
+  }
+}
+
 TEST(minkowski_sums_2, curved_regions_and_rigid_motions)
 {
   const auto moved = [](const Region& region, double x, double y) {
