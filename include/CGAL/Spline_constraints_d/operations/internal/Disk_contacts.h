@@ -228,22 +228,34 @@ private:
     for (const bool front_end : {false, true})
       for (const bool end : {false, true}) {
         const Range a = from(m_part.range, front_end);
-        if (cluster.touches(end) && is_near(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
+        if (cluster.touches(end) && is_decided_by_polynomials(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
           return true;
       }
     return false;
   }
 
-  // Whether more may be known in an end of an arc, at a distance from an end of the front: near that one, where both join smoothly, and on the circle of the front, in tangents of it.
-  bool is_near(const Range& distance, bool front_end, const Arc_end& end) const
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
+  bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
   {
+    const bool is_near = distance.begin <= most_gap * distance.width();
+    const std::size_t vertex = m_graph.vertex_of(end);
+    if (m_front.is_fan)
+      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() : is_tie(front_end, end));
     const Arc_end own{m_front.object, front_end};
-    if (distance.begin <= most_gap * distance.width())
-      return m_front.is_fan || own != end;
-    if (m_front.is_fan || own == end)
-      return false;
     const auto& continuation = m_graph.continuation(own);
-    return (continuation && continuation->end == end) || (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of(end)));
+    if (own == end || (continuation && continuation->end == end))
+      return own != end;
+    if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
+      return true;
+    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
+  }
+
+  // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
+  bool is_tie(bool front_end, const Arc_end& end) const
+  {
+    const double u = front_end ? 1 : 0, v = end.parameter();
+    const Curvature_bounds k = at(m_curvature.part(m_part.front, {u, u}), end.arc, {v, v});
+    return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
   }
 
   bool has_known_slopes(Cluster& cluster) const

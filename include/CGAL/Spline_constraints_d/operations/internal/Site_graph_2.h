@@ -186,6 +186,8 @@ public:
         return false;
       return sign_of(exact_cross(from(m_vertices[a].exact_point), from(m_vertices[b].exact_point))) == 0;
     }
+    if (certain_sign(squared_norm(m_vertices[vertex].point - arc.center()) - arc.squared_radius()) != 0)
+      return false;
     return exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
   }
 
