@@ -82,8 +82,8 @@ public:
       merge_at_vertex(end);
     if (!m_front.is_fan)
       for (const bool end : {false, true})
-        if (const auto& continuation = graph.continuation({m_front.object, end}))
-          merge_at_joint(continuation->end);
+        if (const auto next = end_after({m_front.object, end}))
+          merge_at_joint(*next);
     for (Cluster& cluster : m_clusters)
       m_are_known = m_are_known && has_one_maximum(cluster);
     if (!m_are_known)
@@ -242,12 +242,26 @@ private:
     if (m_front.is_fan)
       return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() : is_tie(front_end, end));
     const Arc_end own{m_front.object, front_end};
-    const auto& continuation = m_graph.continuation(own);
-    if (own == end || (continuation && continuation->end == end))
+    if (own == end || is_end_after(own, end))
       return own != end;
     if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
       return true;
     return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
+  }
+
+  // Of the arc that goes on smoothly, or nearly so.
+  std::optional<Arc_end> end_after(const Arc_end& end) const
+  {
+    if (const auto& continuation = m_graph.continuation(end))
+      return continuation->end;
+    const auto& nearly = m_graph.nearly_smooth_continuation(end);
+    return nearly ? std::optional(nearly->end) : std::nullopt;
+  }
+
+  bool is_end_after(const Arc_end& before, const Arc_end& after) const
+  {
+    const auto end = end_after(before);
+    return end && *end == after;
   }
 
   // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Curvature_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fan_disks.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -154,6 +155,8 @@ private:
       const auto& continuation = m_graph.continuation(own);
       if (continuation && continuation->end == end)
         result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *continuation, to_vertex));
+      else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
+        result.value = common_part(result.value, across_nearly_smooth_joint(part, own, *nearly, range));
       else if (own_to_vertex.width() == part.range.width() && to_vertex.width() == range.width())
         at_corner(result, part, own, end, range);
     }
@@ -162,11 +165,41 @@ private:
   // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
   Interval across_smooth_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
   {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[continuation.end.arc].jet(range, 2);
-    const Interval one(1), to_end(own.is_end ? 1 : -1), away(continuation.end.is_end ? -1 : 1), scale = one / continuation.speed_ratio;
-    const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
-    return q.inf() > 0 ? hull(dot(part.jet.normal, x[2]), CGAL::square(scale) * dot(part.jet.normal, y[2])) / q : any_number();
+    return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio, Interval(0));
   }
+
+  /*
+  The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2. It is large only in a small neighbourhood of the vertex, where J is small.
+  */
+  Interval across_nearly_smooth_joint(const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& continuation, const Range& range) const
+  {
+    const Interval scale(continuation.scale);
+    const double a = distance(own, part.range).inf();
+    const Interval distances = distance(continuation.end, range) / scale;
+    const double b = std::clamp(a, distances.inf(), distances.sup());   // where the term is greatest
+    const Interval jump = dot(part.jet.normal, continuation.jump);
+    const Interval term = a + b > 0 ? jump * Interval(0, (Interval(b) / CGAL::square(Interval(a) + Interval(b))).sup()) : number_of_sign(certain_sign(jump));
+    const Range own_range = united(part.range, {own.parameter(), own.parameter()}), other_range = united(range, {continuation.end.parameter(), continuation.end.parameter()});
+    return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
+  }
+
+  Interval across_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
+  {
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
+    const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
+    const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
+    return q.inf() > 0 ? (hull(dot(part.jet.normal, x[2]), CGAL::square(scale) * dot(part.jet.normal, y[2])) + Interval(2) * jump) / q : any_number();
+  }
+
+  // A number of which only the sign is known, or not even that.
+  static Interval number_of_sign(int sign)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return Interval(sign > 0 ? 0 : -infinity, sign < 0 ? 0 : infinity);
+  }
+
+  // From an end of an arc, of the parameters of a range.
+  static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - range.interval() : range.interval(); }
 
   // The outgoing mean derivative of an arc between an end and the points of a range.
   Interval_pair secant(const Arc_end& end, const Curve_jet& jet) const { return Interval(end.is_end ? -1 : 1) * jet[1]; }
@@ -174,9 +207,13 @@ private:
   // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
   void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
   {
-    const Interval_pair b = secant(end, m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 1));
+    const Curve_jet y = m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 2);
+    const Interval_pair b = secant(end, y);
     if (dot(part.jet.normal, b).sup() < 0)
-      result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), 0));
+      result.value = common_part(result.value, number_of_sign(-1));
+    // The arc begins below the half-plane of the normal, if only by a small angle.
+    if (const Interval q = squared_norm(b); q.inf() > 0)
+      result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
     for (const bool k : {false, true})
       if (m_graph.is_perpendicular(front, k, end)) {
         const Fan_disks disks(m_graph, part, k, end, range);

@@ -62,6 +62,15 @@ struct Smooth_continuation
   Interval speed_ratio;
 };
 
+// The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
+struct Nearly_smooth_continuation
+{
+  Arc_end end;
+  double scale;
+  Interval_pair jump;
+  bool is_left_reflex;
+};
+
 /*
 Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
 */
@@ -77,11 +86,14 @@ public:
   };
 
 private:
+  static constexpr double most_turn = 0x1p-20;   // of the direction where arcs join nearly smoothly
+
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::size_t> m_curve_of_arc;
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
   std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
   std::vector<std::array<std::optional<Smooth_continuation>, 2>> m_continuations;
+  std::vector<std::array<std::optional<Nearly_smooth_continuation>, 2>> m_nearly_smooth_continuations;
   std::vector<Vertex> m_vertices;
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
@@ -112,6 +124,7 @@ public:
       m_fronts.push_back({false, i, true});
     }
     m_continuations.resize(m_arcs.size());
+    m_nearly_smooth_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       order_ends(m_vertices[v]);
       find_continuations(m_vertices[v]);
@@ -134,6 +147,8 @@ public:
 
   std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+
+  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
 
   // The number of connected sets of arcs and vertices.
   std::size_t number_of_components() const
@@ -269,13 +284,32 @@ private:
     for (const Arc_end& a : vertex.ends)
       for (const Arc_end& b : vertex.ends) {
         const Exact_pair p = direction(a), q = direction(b);
-        if (sign_of(exact_cross(p, q)) != 0 || sign_of(exact_dot(p, q)) > 0)
+        if (sign_of(exact_dot(p, q)) >= 0)
           continue;
         const Exact_pair s = m_arcs[a.arc].derivative_at(a.is_end), t = m_arcs[b.arc].derivative_at(b.is_end);
-        const std::size_t k = sign_of(s[0]) == 0;
-        if (sign_of(s[k]) != 0 && sign_of(t[k]) != 0)
-          m_continuations[a.arc][a.is_end] = {b, CGAL::abs(interval_of(Exact_rational(t[k] / s[k])))};
+        const std::size_t k = CGAL::abs(s[0]) < CGAL::abs(s[1]);
+        if (sign_of(s[k]) == 0 || sign_of(t[k]) == 0)
+          continue;
+        const Exact_rational ratio = CGAL::abs(Exact_rational(t[k] / s[k]));
+        if (const int turn = sign_of(exact_cross(p, q)); turn == 0)
+          m_continuations[a.arc][a.is_end] = {b, interval_of(ratio)};
+        else if (vertex.ends.size() == 2 && is_small_turn(p, q))
+          m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
+  }
+
+  static bool is_small_turn(const Exact_pair& p, const Exact_pair& q)
+  {
+    const Exact_rational most = Exact_rational(most_turn), sine = exact_cross(p, q), square = exact_dot(p, p) * exact_dot(q, q);
+    return sine * sine < most * most * square;
+  }
+
+  // From the derivatives of both arcs.
+  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s, const Exact_pair& t, double scale, bool is_left_reflex)
+  {
+    const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
+    const auto jump = [&](std::size_t k) { return interval_of(Exact_rational(away * t[k] - to_end * s[k])); };
+    return {b, scale, {jump(0), jump(1)}, is_left_reflex};
   }
 
   // The front that is traversed away from an end of an arc, or toward it.
