@@ -4,9 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Disk_slope.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 
 #include <algorithm>
@@ -35,6 +33,9 @@ struct Disk_branch : Located_contact
     std::size_t arc;
     double parameter;   // not used at tips
     Located_contact positive, negative;
+    // Where two arcs join nearly smoothly: their ends, that of the negative contact first; k_v has the same sign at both of them, up to a small range, in which disks may touch the vertex.
+    std::optional<std::array<Arc_end, 2>> joined_ends{};
+    std::optional<Located_contact> between{};
   };
   std::optional<Move> move{};
 };
@@ -44,54 +45,30 @@ The branches of contacts over a part of a front that are left when candidates ha
 */
 class Disk_contacts
 {
-  static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
-
-  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
-
-  struct Cluster
-  {
-    std::size_t arc;
-    Range range;
-    Curvature_bounds bounds{};
-    bool is_known = false;   // to have one maximum inside
-    bool is_too_low = false;
-    double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
-    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
-    bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
-    bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
-  };
+  using Cluster = Disk_clusters::Cluster;
+  using End_state = Disk_clusters::End_state;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
-  Disk_slopes& m_slopes;
   const Front_part& m_part;
   const Front& m_front;
-  double m_least;   // curvature of all maximal disks
-  std::vector<Cluster> m_clusters;
+  Disk_clusters m_clusters;
   std::vector<Disk_branch> m_branches;
-  bool m_are_known = true;
+  bool m_are_known;
 
 public:
   Disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
-    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_front(graph.fronts()[part.front]), m_least(least)
+    : m_graph(graph), m_curvature(curvature), m_part(part), m_front(graph.fronts()[part.front]),
+      m_clusters(graph, curvature, slopes, part, candidates, least), m_are_known(m_clusters.are_known())
   {
-    collect(candidates);
-    if (!(least > 0))
-      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_front(cluster); });
-    for (const Arc_end& end : ends_at_common_vertices())
-      merge_at_vertex(end);
-    if (!m_front.is_fan)
-      for (const bool end : {false, true})
-        if (const auto next = end_after({m_front.object, end}))
-          merge_at_joint(*next);
-    for (Cluster& cluster : m_clusters)
-      m_are_known = m_are_known && has_one_maximum(cluster);
     if (!m_are_known)
       return;
-    std::erase_if(m_clusters, [](const Cluster& cluster) { return cluster.is_too_low; });
-    settle_joints();
+    for (const Disk_candidate& candidate : candidates)
+      if (candidate.kind == Disk_candidate::Kind::VERTEX)
+        m_branches.push_back(branch_to(Disk_contact::Kind::VERTEX, candidate.index));
     for (const Cluster& cluster : m_clusters)
-      add_branches(cluster);
+      if (!add_nearly_smooth_joint(cluster))
+        add_branches(cluster);
     if (!(least > 0))
       m_branches.push_back(Disk_branch());
     if (const auto circle = curvature.of_own_circle(part); circle && circle->value.sup() >= least)
@@ -120,12 +97,17 @@ public:
 
   int sign_of_move(const Disk_branch& branch, double u) const
   {
+    const Front_part point = m_curvature.part(m_part.front, {u, u});
+    if (branch.move->joined_ends)
+      return common_sign(*branch.move->joined_ends, [&](const Arc_end& end) { return at(point, end).dv; });
     const double v = branch.move->event == Disk_event::TIP ? u : branch.move->parameter;
-    return certain_sign(at(m_curvature.part(m_part.front, {u, u}), branch.move->arc, {v, v}).dv);
+    return certain_sign(at(point, branch.move->arc, {v, v}).dv);
   }
 
   bool is_sign_of_move_monotone(const Disk_branch& branch) const
   {
+    if (branch.move->joined_ends)
+      return are_contacts_monotone(branch);
     if (branch.move->event != Disk_event::TIP)
       return certain_sign(at(m_part, branch.move->arc, {branch.move->parameter, branch.move->parameter}).duv) != 0;
     const Curvature_bounds k = at(m_part, branch.move->arc, m_part.range);
@@ -173,217 +155,69 @@ public:
 private:
   Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
 
-  // Neighbouring candidates form one cluster.
-  void collect(const std::vector<Disk_candidate>& candidates)
+  Curvature_bounds at(const Front_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
+
+  // The sign of numbers that belong to two ends, on the way from the arc of the first to that of the second one, if it is the same.
+  template <class Number_at>
+  static int common_sign(const std::array<Arc_end, 2>& ends, const Number_at& number_at)
   {
-    for (const Disk_candidate& candidate : candidates)
-      if (candidate.kind == Disk_candidate::Kind::ARC)
-        m_clusters.push_back({candidate.index, candidate.range, candidate.bounds});
-      else if (candidate.kind == Disk_candidate::Kind::VERTEX)
-        m_branches.push_back(branch_to(Disk_contact::Kind::VERTEX, candidate.index));
-      else
-        m_are_known = false;
-    std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) { return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin); });
-    std::vector<Cluster> merged;
-    for (const Cluster& cluster : m_clusters)
-      if (!merged.empty() && merged.back().arc == cluster.arc && cluster.range.begin <= merged.back().range.end) {
-        merged.back().range.end = cluster.range.end;
-        merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
-      } else
-        merged.push_back(cluster);
-    m_clusters = std::move(merged);
+    const int first = certain_sign(number_at(ends[0])) * (ends[0].is_end ? 1 : -1), second = certain_sign(number_at(ends[1])) * (ends[1].is_end ? -1 : 1);
+    return first == second ? first : 0;
   }
 
-  // Also finds out about maxima in the ends.
-  bool has_one_maximum(Cluster& cluster) const
+  // Whether k_uv has one sign on both arcs: the point where k is greatest moves along them in one direction.
+  bool are_contacts_monotone(const Disk_branch& branch) const
   {
-    if (cluster.is_known)
-      return true;
-    const int slope = certain_sign(cluster.bounds.dv);
-    if (slope != 0) {
-      cluster.ends[slope > 0] = End_state::MAXIMUM;
-      return true;
-    }
-    const bool is_concave = cluster.bounds.dvv.sup() < 0;
-    if (is_concave) {
-      bool are_ends_known = true;
-      for (const bool end : {false, true})
-        if (cluster.touches(end)) {
-          const double v = end ? 1 : 0;
-          const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
-          cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
-          are_ends_known = are_ends_known && sign != 0;
-        }
-      if (are_ends_known)
-        return true;
-    }
-    return has_known_slopes(cluster) || is_concave;
+    const auto& [event, arc, parameter, positive, negative, ends, between] = *branch.move;
+    return common_sign(*ends, [&](const Arc_end& end) {
+      const Range& range = (end == (*ends)[0] ? negative : positive).range;
+      return at(m_part, end.arc, range).duv;
+    }) != 0;
   }
 
-  // Calls visit(slope, range of the distance from the end of the front, range of that from the end of the arc) for the ends that the part and a cluster reach, until that returns true.
-  template <class Visit>
-  bool is_any_end(const Cluster& cluster, const Visit& visit) const
+  // Disks that may touch two arcs that join nearly smoothly: the contact goes over from one to the other. Returns whether a cluster belongs to such a pair.
+  bool add_nearly_smooth_joint(const Cluster& cluster)
   {
-    const auto from = [](const Range& range, bool end) { return end ? Range{1 - range.end, 1 - range.begin} : range; };
-    for (const bool front_end : {false, true})
-      for (const bool end : {false, true}) {
-        const Range a = from(m_part.range, front_end);
-        if (cluster.touches(end) && is_decided_by_polynomials(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
-          return true;
-      }
-    return false;
-  }
-
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
-  bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
-  {
-    const bool is_near = distance.begin <= most_gap * distance.width();
-    const std::size_t vertex = m_graph.vertex_of(end);
-    if (m_front.is_fan)
-      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() : is_tie(front_end, end));
-    const Arc_end own{m_front.object, front_end};
-    if (own == end || is_end_after(own, end))
-      return own != end;
-    if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
-      return true;
-    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
-  }
-
-  // Of the arc that goes on smoothly, or nearly so.
-  std::optional<Arc_end> end_after(const Arc_end& end) const
-  {
-    if (const auto& continuation = m_graph.continuation(end))
-      return continuation->end;
-    const auto& nearly = m_graph.nearly_smooth_continuation(end);
-    return nearly ? std::optional(nearly->end) : std::nullopt;
-  }
-
-  bool is_end_after(const Arc_end& before, const Arc_end& after) const
-  {
-    const auto end = end_after(before);
-    return end && *end == after;
-  }
-
-  // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
-  bool is_tie(bool front_end, const Arc_end& end) const
-  {
-    const double u = front_end ? 1 : 0, v = end.parameter();
-    const Curvature_bounds k = at(m_curvature.part(m_part.front, {u, u}), end.arc, {v, v});
-    return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
-  }
-
-  bool has_known_slopes(Cluster& cluster) const
-  {
-    return is_any_end(cluster, [&](const Disk_slope& slope, const Range& a, const Range& b, bool end) {
-      const Path_signs signs = slope.slopes(a, b, m_least);
-      if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
-        return false;
-      cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
-      cluster.least = m_least;
-      const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
-      cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
-      cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
-      return true;
-    });
-  }
-
-  // Whether all disks through a cluster are half-planes or larger.
-  bool is_below_front(const Cluster& cluster) const
-  {
-    return is_any_end(cluster, [](const Disk_slope& slope, const Range& a, const Range& b, bool) { return slope.is_value_negative(a, b); });
-  }
-
-  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
-  void settle_joints()
-  {
-    for (Cluster& cluster : m_clusters)
-      for (const bool end : {false, true}) {
-        const auto& continuation = m_graph.continuation({cluster.arc, end});
-        const Cluster* next = continuation ? cluster_at(continuation->end) : nullptr;
-        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr)
-          continue;
-        const End_state state = next->ends[continuation->end.is_end];
-        cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
-      }
-  }
-
-  // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
-  void merge_at_vertex(const Arc_end& other)
-  {
-    if (cluster_at(other) == nullptr)
-      return;
-    Cluster all = *cluster_at(other);
-    for (const Cluster& cluster : m_clusters)
-      if (cluster.arc == other.arc)
-        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
-    all.is_known = m_front.is_fan ? has_one_maximum_at_fan(all, other) : has_one_maximum_at_corner(all, other);
-    if (all.is_known) {
-      std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
-      m_clusters.push_back(all);
-    }
-  }
-
-  // The same for an arc that goes on where that of the front ends, if its clusters one by one are not known.
-  void merge_at_joint(const Arc_end& other)
-  {
-    std::optional<Cluster> all;
-    bool are_known = true;
-    for (Cluster& cluster : m_clusters)
-      if (cluster.arc == other.arc) {
-        are_known = has_one_maximum(cluster) && are_known;
-        all = all ? Cluster{other.arc, united(all->range, cluster.range), hull(all->bounds, cluster.bounds)} : cluster;
-      }
-    if (are_known)
-      return;
-    all->range = united(all->range, {other.parameter(), other.parameter()});
-    if (!has_known_slopes(*all))
-      return;
-    all->is_known = true;
-    std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
-    m_clusters.push_back(*all);
-  }
-
-  // Where the fan is perpendicular to the arc.
-  bool has_one_maximum_at_fan(const Cluster& cluster, const Arc_end& other) const
-  {
-    for (const bool normal : {false, true})
-      if (m_graph.is_perpendicular(m_front, normal, other) && Fan_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
-        return true;
-    return false;
-  }
-
-  bool has_one_maximum_at_corner(Cluster& cluster, const Arc_end& other) const
-  {
-    for (const bool own_end : {false, true}) {
-      const Arc_end own{m_front.object, own_end};
-      if (own == other || (own_end ? m_part.range.end < 1 : m_part.range.begin > 0) || m_graph.vertex_of(own) != m_graph.vertex_of(other))
+    for (const bool end : {false, true}) {
+      const Arc_end own{cluster.arc, end};
+      const auto& next = m_graph.nearly_smooth_continuation(own);
+      const Cluster* other = next && cluster.touches(end) ? m_clusters.cluster_at(next->end) : nullptr;
+      if (other == nullptr || cluster.arc == other->arc || cluster.ends[end] != End_state::UNKNOWN || other->ends[next->end.is_end] != End_state::UNKNOWN)
         continue;
-      if (const auto least = Corner_disks(m_graph, m_part, own, other, cluster.range).least_curvature_of_only_maximum()) {
-        cluster.bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
-        return true;
-      }
+      m_are_known = m_are_known && !is_part_at(m_graph.vertex_of(own)) && cluster.ends[!end] != End_state::UNKNOWN && other->ends[!next->end.is_end] != End_state::UNKNOWN;
+      if (cluster.arc < other->arc)
+        add_nearly_smooth_joint(cluster, *other, own, *next);
+      return true;
     }
     return false;
   }
 
-  // The ends of arcs in the vertices of the front that the part touches.
-  std::vector<Arc_end> ends_at_common_vertices() const
+  void add_nearly_smooth_joint(const Cluster& cluster, const Cluster& other, const Arc_end& own, const Nearly_smooth_continuation& next)
   {
-    std::vector<Arc_end> result;
-    const auto add = [&](std::size_t vertex) { result.insert(result.end(), m_graph.vertices()[vertex].ends.begin(), m_graph.vertices()[vertex].ends.end()); };
-    if (m_front.is_fan)
-      add(m_front.object);
-    else
-      for (const bool end : {false, true})
-        if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
-          add(m_graph.vertex_of({m_front.object, end}));
-    return result;
+    const int side = side_of_disks(cluster, own, false), other_side = side_of_disks(other, next.end, true);
+    m_are_known = m_are_known && side != 0 && side == other_side;
+    const bool is_vertex_touched = (side > 0) == next.is_left_reflex;
+    Disk_branch branch;
+    static_cast<Located_contact&>(branch) = contact_with(cluster);
+    branch.move = {is_vertex_touched ? Disk_event::JOINT : Disk_event::CROSSING, own.arc, own.parameter(), contact_with(other), contact_with(cluster), std::array{own, next.end}};
+    if (is_vertex_touched)
+      branch.move->between = Located_contact{{Disk_contact::Kind::VERTEX, m_graph.vertex_of(own)}};
+    m_branches.push_back(branch);
   }
 
-  const Cluster* cluster_at(const Arc_end& end) const
+  // Whether the part ends in a vertex.
+  bool is_part_at(std::size_t vertex) const
   {
-    const auto cluster = std::find_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == end.arc && c.touches(end.is_end); });
-    return cluster == m_clusters.end() ? nullptr : &*cluster;
+    if (m_front.is_fan)
+      return m_front.object == vertex;
+    return (m_part.range.begin == 0 && m_graph.vertex_of({m_front.object, false}) == vertex) || (m_part.range.end == 1 && m_graph.vertex_of({m_front.object, true}) == vertex);
+  }
+
+  // The side on which the disks are that touch an arc, seen on the way to one of its ends, or away from it: 1 left, -1 right; 0 if that is not certain. It is that of the point in which they touch the front.
+  int side_of_disks(const Cluster& cluster, const Arc_end& end, bool is_away) const
+  {
+    const Curve_jet y = m_graph.arcs()[cluster.arc].jet(cluster.range, 1);
+    return certain_sign(dot(turned_left(y[1]), m_part.jet.point - y[0])) * (end.is_end != is_away ? 1 : -1);
   }
 
   void add_branches(const Cluster& cluster)
@@ -450,7 +284,7 @@ private:
     const std::size_t vertex = m_graph.vertex_of(end);
     if (!continuation)
       return Located_contact{{Disk_contact::Kind::VERTEX, vertex}};
-    const Cluster* next = cluster_at(continuation->end);
+    const Cluster* next = m_clusters.cluster_at(continuation->end);
     if (next == nullptr || next->ends[continuation->end.is_end] == End_state::MAXIMUM || next->ends[continuation->end.is_end] == End_state::TOO_LOW)
       return std::nullopt;
     if (next->ends[continuation->end.is_end] == End_state::NOT_A_MAXIMUM)
@@ -462,11 +296,11 @@ private:
   {
     const std::size_t vertex = m_graph.vertex_of(end);
     for (const Arc_end& other : m_graph.vertices()[vertex].ends) {
-      const Cluster* cluster = cluster_at(other);
+      const Cluster* cluster = m_clusters.cluster_at(other);
       if (cluster != nullptr && cluster->ends[other.is_end] != End_state::MAXIMUM)
         return;   // the maximum is in the other arc, or it has the vertex as a possible move
     }
-    if (const auto& continuation = m_graph.continuation(end); continuation && cluster_at(continuation->end) == nullptr)
+    if (const auto& continuation = m_graph.continuation(end); continuation && m_clusters.cluster_at(continuation->end) == nullptr)
       return;   // it is too low there
     if (m_front.is_fan && m_front.object == vertex) {
       m_are_known = false;

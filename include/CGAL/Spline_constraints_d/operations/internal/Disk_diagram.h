@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -104,7 +105,7 @@ public:
   Disk disk(const Part& part, double u) const
   {
     const Front_part point = m_curvature.part(part.front, {u, u});
-    const Attained_curvature k = largest_curvature(m_graph, m_curvature, point, stretch(part).located(u));
+    const Attained_curvature k = stretch(part).corner ? curvature_in_corner(stretch(part), u) : largest_curvature(m_graph, m_curvature, point, stretch(part).located(u));
     const Interval_pair &x = point.jet.point, &n = point.jet.normal;
     return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
   }
@@ -114,7 +115,7 @@ public:
   {
     const Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind != Disk_contact::Kind::ARC)
+    if (contact.kind != Disk_contact::Kind::ARC || stretch(part).corner)
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
     const double v = result.other_range.middle();
@@ -132,6 +133,15 @@ public:
   }
 
 private:
+  // The disks of a pocket all touch nearly the same point; parameters are those of their radii.
+  static Attained_curvature curvature_in_corner(const Disk_stretch& stretch, double u)
+  {
+    const auto& [begin, end] = stretch.range;
+    const double share = (stretch.corner->is_end ? end - u : u - begin) / stretch.range.width();
+    const Range& located = stretch.boxes.front().second.range;
+    return {share > 0 ? stretch.corner->curvature / Interval(share) : any_number(), located};
+  }
+
   // Of the front and of another arc, in the point where they join.
   std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
   {
@@ -235,6 +245,10 @@ private:
 
   std::size_t twin_of(const Halfedge& h) const
   {
+    if (const Part& part = h.parts.front(); stretch(part).corner) {   // the other side of the pocket
+      const std::size_t other = stretch(part).corner->is_end != front(part).is_reversed ? h.next : h.previous;
+      return stretch(m_halfedges[other].parts.front()).corner ? other : none;
+    }
     for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
         const Range& range = stretch(part).range;
@@ -242,12 +256,31 @@ private:
         const auto touched = touched_front(m_graph, stretch(part).contact, d.other_range, d.center);
         if (!touched)
           continue;
-        const std::vector<Disk_stretch>& others = m_stretches[touched->front];
-        for (std::size_t s = 0; s < others.size(); ++s)
-          if (others[s].range.begin < touched->range.begin && touched->range.end < others[s].range.end && is_contact_with(others[s].contact, front(part)))
-            return m_halfedges_of[touched->front][s];
+        if (const std::size_t twin = halfedge_at(*touched, front(part)); twin != none)
+          return twin;
       }
     return none;
+  }
+
+  // The halfedge of the only stretch with a contact on a front that may hold a parameter. Events are somewhere between the ranges of their stretches.
+  std::size_t halfedge_at(const Touched_front& touched, const Front& other) const
+  {
+    const std::vector<Disk_stretch>& stretches = m_stretches[touched.front];
+    std::size_t result = none;
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+      const Range around{s > 0 ? stretches[s - 1].range.end : 0, s + 1 < stretches.size() ? stretches[s + 1].range.begin : 1};
+      if (!around.meets(touched.range))
+        continue;
+      const auto& [range, events] = std::tie(stretches[s].range, stretches[s].events);
+      if ((events[0] == Disk_event::UNRESOLVED && touched.range.begin < range.begin) || (events[1] == Disk_event::UNRESOLVED && touched.range.end > range.end))
+        return none;
+      if (is_contact_with(stretches[s].contact, other)) {
+        if (result != none)
+          return none;
+        result = s;
+      }
+    }
+    return result == none ? none : m_halfedges_of[touched.front][result];
   }
 
   // Around the source of a halfedge: the twin of the one before it begins there, too.

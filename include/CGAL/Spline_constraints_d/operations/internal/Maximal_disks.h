@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Common_disk.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
@@ -18,6 +19,13 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// The end of a stretch of disks in the corner of a pocket, and the curvature of the disk at the other end.
+struct Corner_end
+{
+  bool is_end;
+  Interval curvature;
+};
+
 // A stretch of a front whose maximal disks touch the same thing elsewhere, and what happens at its ends, where the event is located by a range of the parameter.
 struct Disk_stretch
 {
@@ -25,6 +33,7 @@ struct Disk_stretch
   Range range;
   std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
   std::vector<std::pair<Range, Located_contact>> boxes{};   // ranges of the front in order, and where the contact is
+  std::optional<Corner_end> corner{};                       // where disks are in a pocket, which is smaller than doubles can tell
 
   const Located_contact& located(double u) const
   {
@@ -92,7 +101,7 @@ private:
   {
     const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
-      return false;
+      return append_pocket(part, candidates, least);
     const std::vector<Disk_branch> highest = contacts.highest();
     if (highest.size() == 1)
       return append_branch(contacts, part.range, highest[0]);
@@ -122,6 +131,41 @@ private:
     return disk.touches(part) && std::all_of(branches.begin(), branches.end(), [&](const Disk_branch& branch) { return disk.touches(branch); }) && append_crossing(contacts, part.range, before, after);
   }
 
+  /*
+  A part with a pocket at its end. Where the disks do not touch its other arc, they touch one contact outside of it.
+  */
+  bool append_pocket(const Front_part& part, std::vector<Disk_candidate> candidates, double least)
+  {
+    const auto pocket = Corner_pocket::taken_from(candidates, m_graph, m_curvature, part);
+    if (!pocket)
+      return false;
+    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    if (!contacts.are_known())
+      return false;
+    const std::vector<Disk_branch> outside = contacts.highest();
+    if (outside.size() > 1 || (!outside.empty() && (outside[0].move || !pocket->is_outside(outside[0]))))
+      return false;
+    const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, {u, u}), outside[0]).curvature; };
+    const auto sign_at = [&](double u) { return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u)); };
+    const auto& [begin, end] = part.range;
+    const int far_sign = sign_at(pocket->end() ? begin : end);
+    if (far_sign == 0)
+      return false;
+    const Located_contact inside = pocket->contact();
+    if (far_sign > 0) {
+      append(inside, part.range);
+      return true;
+    }
+    const Range zero = range_of_zero(part.range, sign_at, sign_at(begin));
+    const double event = pocket->end() ? zero.begin : zero.end;
+    const Located_contact other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    append(first, {begin, event});
+    append_event(Disk_event::CROSSING, last, {event, end});
+    Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
+    corner.corner = Corner_end{pocket->end(), curvature_at(event)};
+    return true;
+  }
+
   // The centers of the disks that touch a part of a front and a contact.
   Interval_pair center(const Front_part& part, const Located_contact& contact) const
   {
@@ -140,7 +184,7 @@ private:
       return true;
     }
     const auto sign_at = [&](double u) { return contacts.sign_of_move(branch, u); };
-    return append_change(range, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event);
+    return append_change(range, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
   }
 
   bool append_crossing(const Disk_contacts& contacts, const Range& range, const Disk_branch& first, const Disk_branch& second)
@@ -158,9 +202,9 @@ private:
     return append_change(range, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
   }
 
-  // Where a function is positive the contact is the first one, where it is negative the second one.
+  // Where a function is positive the contact is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known.
   template <class Sign>
-  bool append_change(const Range& range, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event)
+  bool append_change(const Range& range, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event, const std::optional<Located_contact>& between = std::nullopt)
   {
     if (!is_monotone)
       return false;
@@ -174,9 +218,16 @@ private:
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
     append(before, {range.begin, zero.begin});
-    m_stretches.back().events[1] = event;
-    m_stretches.push_back({after.contact, {zero.end, range.end}, {event, Disk_event::NONE}, {{{zero.end, range.end}, after}}});
+    if (between)
+      append_event(event, *between, zero);
+    append_event(event, after, {zero.end, range.end});
     return true;
+  }
+
+  void append_event(Disk_event event, const Located_contact& after, const Range& range)
+  {
+    m_stretches.back().events[1] = event;
+    m_stretches.push_back({after.contact, range, {event, Disk_event::NONE}, {{range, after}}});
   }
 
   void append(const Located_contact& located, const Range& range)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -26,7 +27,7 @@ inline bool is_contact_with(const Disk_contact& contact, const Front& front)
   return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
 }
 
-// The front of a contact: the side of the arc on which the center of the disk is, or the fan of the vertex with the normal towards it; nothing if that is not certain. The range is that of the parameter of an arc.
+// The front of a contact: the side of the arc on which the center of the disk is, or the only fan of the vertex that may have the normal towards it; nothing if that is not certain. The range is that of the parameter of an arc.
 inline std::optional<Touched_front> touched_front(const Site_graph_2& graph, const Disk_contact& contact, const Range& range, const Interval_pair& center)
 {
   if (contact.kind == Disk_contact::Kind::ARC) {
@@ -36,15 +37,18 @@ inline std::optional<Touched_front> touched_front(const Site_graph_2& graph, con
   }
   const Site_graph_2::Vertex& vertex = graph.vertices()[contact.index];
   const Interval_pair way = center - vertex.point;
+  std::optional<Touched_front> result;
   for (const std::size_t fan : vertex.fans) {
     const auto& [from, to] = graph.fronts()[fan].normals;
     const Interval a = dot(turned_left(way), from), b = dot(turned_left(to), way);   // way x from, to x way
-    if (a.inf() > 0 && b.inf() > 0) {
-      const Interval u = a / (a + b);
-      return Touched_front{fan, {u.inf(), u.sup()}};
-    }
+    if (a.sup() < 0 || b.sup() < 0 || (dot(way, from).sup() < 0 && dot(way, to).sup() < 0))
+      continue;
+    if (result)
+      return std::nullopt;
+    const Interval u = a.inf() > 0 && b.inf() > 0 ? a / (a + b) : Interval(0, 1);
+    result = Touched_front{fan, {(std::max)(u.inf(), 0.0), (std::min)(u.sup(), 1.0)}};
   }
-  return std::nullopt;
+  return result;
 }
 
 } // namespace internal

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_POCKET_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_POCKET_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+Two arcs that join nearly smoothly, seen from the side where their angle is less than 180 degrees. From far away there is nothing but a smooth joint; but disks in the corner touch both arcs, at distances from it that are smaller than any interval can tell apart.
+
+Let the disk that touches the front in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the front between X and the corner touches something else in the pocket, and if nothing else is there, the
+other arc. Hence such points X form a range of the front that begins in the corner, and for this no disk has to be looked at.
+*/
+class Corner_pocket
+{
+  static constexpr int most_halvings = 12;
+
+  const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
+  const Front_part& m_part;
+  Arc_end m_own, m_other;
+  double m_scale;   // of the parameter of the other arc
+  Range m_range;    // of that, with all that disks may touch there
+
+public:
+  // The pocket at an end of a part of a front, if there is one; what is in it is taken from the candidates.
+  static std::optional<Corner_pocket> taken_from(std::vector<Disk_candidate>& candidates, const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part)
+  {
+    const Front& front = graph.fronts()[part.front];
+    for (const bool end : {false, true}) {
+      if (front.is_fan || (end ? part.range.end < 1 : part.range.begin > 0))
+        continue;
+      const auto& next = graph.nearly_smooth_continuation({front.object, end});
+      const bool is_left = end != front.is_reversed;   // on the way to the corner
+      if (!next || is_left == next->is_left_reflex)
+        continue;
+      Corner_pocket pocket(graph, curvature, part, {front.object, end}, *next);
+      if (pocket.take(candidates))
+        return pocket;
+    }
+    return std::nullopt;
+  }
+
+  // The end of the front that is in the corner.
+  bool end() const { return m_own.is_end; }
+
+  // Where disks touch the other arc. There may be several maxima of their curvature.
+  Located_contact contact() const { return {{Disk_contact::Kind::ARC, m_other.arc}, m_range}; }
+
+  // Whether the other contact of a part is outside of all that may be in a pocket.
+  bool is_outside(const Located_contact& located) const
+  {
+    const auto is_point_outside = [&](const Interval_pair& p) {
+      const Interval_pair pocket = hull(m_part.jet.point, m_graph.arcs()[m_other.arc].point(m_range));
+      return certain_sign(p[0] - pocket[0]) != 0 || certain_sign(p[1] - pocket[1]) != 0;
+    };
+    switch (located.contact.kind) {
+    case Disk_contact::Kind::ARC: return is_point_outside(m_graph.arcs()[located.contact.index].point(located.range));
+    case Disk_contact::Kind::VERTEX: return is_point_outside(m_graph.vertices()[located.contact.index].point);
+    case Disk_contact::Kind::NOTHING: return true;
+    default: return false;
+    }
+  }
+
+  // Whether the largest disk that touches the front in a point touches the other arc (1) rather than one of some curvature (-1); 0 if that is not certain.
+  int sign(double u, const Interval& other_curvature) const
+  {
+    const Front_part point = m_curvature.part(m_part.front, {u, u});
+    const double distance = std::abs(u - m_own.parameter()) * m_scale, v = m_other.is_end ? 1 - distance : distance;
+    if (m_range.begin < v && v < m_range.end && (at(point, {v, v}) - other_curvature).inf() > 0)
+      return 1;
+    return is_below(point, m_range, other_curvature.inf(), most_halvings) ? -1 : 0;
+  }
+
+private:
+  Corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
+    : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end), m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
+  {}
+
+  // Takes the candidates of the other arc that are connected with the corner.
+  bool take(std::vector<Disk_candidate>& candidates)
+  {
+    const auto is_next = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc && c.range.meets(m_range); };
+    bool is_any = false;
+    for (auto next = std::find_if(candidates.begin(), candidates.end(), is_next); next != candidates.end(); next = std::find_if(candidates.begin(), candidates.end(), is_next)) {
+      m_range = united(m_range, next->range);
+      candidates.erase(next);
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  Interval at(const Front_part& point, const Range& range) const { return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value; }
+
+  bool is_below(const Front_part& point, const Range& range, double curvature, int halvings) const
+  {
+    if (at(point, range).sup() < curvature)
+      return true;
+    return halvings > 0 && is_below(point, {range.begin, range.middle()}, curvature, halvings - 1) && is_below(point, {range.middle(), range.end}, curvature, halvings - 1);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CORNER_POCKET_H

@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CLUSTERS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CLUSTERS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_slope.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The ranges of arcs that disks may touch over a part of a front, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
+*/
+class Disk_clusters
+{
+public:
+  enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
+
+  struct Cluster
+  {
+    std::size_t arc;
+    Range range;
+    Curvature_bounds bounds{};
+    bool is_known = false;   // to have one maximum inside
+    bool is_too_low = false;
+    double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
+    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
+    bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
+    bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
+  };
+
+private:
+  static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
+
+  const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
+  Disk_slopes& m_slopes;
+  const Front_part& m_part;
+  const Front& m_front;
+  double m_least;   // curvature of all maximal disks
+  std::vector<Cluster> m_clusters;
+  bool m_are_known = true;
+
+public:
+  Disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_front(graph.fronts()[part.front]), m_least(least)
+  {
+    collect(candidates);
+    if (!(least > 0))
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_front(cluster); });
+    for (const Arc_end& end : ends_at_common_vertices())
+      merge_at_vertex(end);
+    if (!m_front.is_fan)
+      for (const bool end : {false, true})
+        if (const auto next = end_after({m_front.object, end}))
+          merge_at_joint(*next);
+    for (Cluster& cluster : m_clusters)
+      m_are_known = m_are_known && has_one_maximum(cluster);
+    if (!m_are_known)
+      return;
+    std::erase_if(m_clusters, [](const Cluster& cluster) { return cluster.is_too_low; });
+    settle_joints();
+  }
+
+  // Whether each has one maximum.
+  bool are_known() const { return m_are_known; }
+
+  std::vector<Cluster>::const_iterator begin() const { return m_clusters.begin(); }
+  std::vector<Cluster>::const_iterator end() const { return m_clusters.end(); }
+
+  // The cluster that touches an end of an arc.
+  const Cluster* cluster_at(const Arc_end& end) const
+  {
+    const auto cluster = std::find_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == end.arc && c.touches(end.is_end); });
+    return cluster == m_clusters.end() ? nullptr : &*cluster;
+  }
+
+private:
+  Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
+
+  // Neighbouring candidates form one cluster.
+  void collect(const std::vector<Disk_candidate>& candidates)
+  {
+    for (const Disk_candidate& candidate : candidates)
+      if (candidate.kind == Disk_candidate::Kind::ARC)
+        m_clusters.push_back({candidate.index, candidate.range, candidate.bounds});
+      else if (candidate.kind == Disk_candidate::Kind::NODE)
+        m_are_known = false;
+    std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) { return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin); });
+    std::vector<Cluster> merged;
+    for (const Cluster& cluster : m_clusters)
+      if (!merged.empty() && merged.back().arc == cluster.arc && cluster.range.begin <= merged.back().range.end) {
+        merged.back().range.end = cluster.range.end;
+        merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
+      } else
+        merged.push_back(cluster);
+    m_clusters = std::move(merged);
+  }
+
+  // Also finds out about maxima in the ends.
+  bool has_one_maximum(Cluster& cluster) const
+  {
+    if (cluster.is_known)
+      return true;
+    const int slope = certain_sign(cluster.bounds.dv);
+    if (slope != 0) {
+      cluster.ends[slope > 0] = End_state::MAXIMUM;
+      return true;
+    }
+    const bool is_concave = cluster.bounds.dvv.sup() < 0;
+    if (is_concave) {
+      bool are_ends_known = true;
+      for (const bool end : {false, true})
+        if (cluster.touches(end)) {
+          const double v = end ? 1 : 0;
+          const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
+          cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+          are_ends_known = are_ends_known && sign != 0;
+        }
+      if (are_ends_known)
+        return true;
+    }
+    return has_known_slopes(cluster) || is_concave;
+  }
+
+  // Calls visit(slope, range of the distance from the end of the front, range of that from the end of the arc) for the ends that the part and a cluster reach, until that returns true.
+  template <class Visit>
+  bool is_any_end(const Cluster& cluster, const Visit& visit) const
+  {
+    const auto from = [](const Range& range, bool end) { return end ? Range{1 - range.end, 1 - range.begin} : range; };
+    for (const bool front_end : {false, true})
+      for (const bool end : {false, true}) {
+        const Range a = from(m_part.range, front_end);
+        if (cluster.touches(end) && is_decided_by_polynomials(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
+          return true;
+      }
+    return false;
+  }
+
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
+  bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
+  {
+    const bool is_near = distance.begin <= most_gap * distance.width();
+    const std::size_t vertex = m_graph.vertex_of(end);
+    if (m_front.is_fan)
+      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
+    const Arc_end own{m_front.object, front_end};
+    if (own == end || is_end_after(own, end))
+      return own != end;
+    if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
+      return true;
+    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
+  }
+
+  // Of the arc that goes on smoothly, or nearly so.
+  std::optional<Arc_end> end_after(const Arc_end& end) const
+  {
+    if (const auto& continuation = m_graph.continuation(end))
+      return continuation->end;
+    const auto& nearly = m_graph.nearly_smooth_continuation(end);
+    return nearly ? std::optional(nearly->end) : std::nullopt;
+  }
+
+  bool is_end_after(const Arc_end& before, const Arc_end& after) const
+  {
+    const auto end = end_after(before);
+    return end && *end == after;
+  }
+
+  // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
+  bool is_tie(bool front_end, const Arc_end& end) const
+  {
+    const double u = front_end ? 1 : 0, v = end.parameter();
+    const Curvature_bounds k = at(m_curvature.part(m_part.front, {u, u}), end.arc, {v, v});
+    return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
+  }
+
+  bool has_known_slopes(Cluster& cluster) const
+  {
+    return is_any_end(cluster, [&](const Disk_slope& slope, const Range& a, const Range& b, bool end) {
+      const Path_signs signs = slope.slopes(a, b, m_least);
+      if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
+        return false;
+      cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
+      cluster.least = m_least;
+      const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
+      cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
+      cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
+      return true;
+    });
+  }
+
+  // Whether all disks through a cluster are half-planes or larger.
+  bool is_below_front(const Cluster& cluster) const
+  {
+    return is_any_end(cluster, [](const Disk_slope& slope, const Range& a, const Range& b, bool) { return slope.is_value_negative(a, b); });
+  }
+
+  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
+  void settle_joints()
+  {
+    for (Cluster& cluster : m_clusters)
+      for (const bool end : {false, true}) {
+        const auto& continuation = m_graph.continuation({cluster.arc, end});
+        const Cluster* next = continuation ? cluster_at(continuation->end) : nullptr;
+        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr)
+          continue;
+        const End_state state = next->ends[continuation->end.is_end];
+        cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
+      }
+  }
+
+  // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
+  void merge_at_vertex(const Arc_end& other)
+  {
+    if (cluster_at(other) == nullptr)
+      return;
+    Cluster all = *cluster_at(other);
+    for (const Cluster& cluster : m_clusters)
+      if (cluster.arc == other.arc)
+        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
+    all.is_known = m_front.is_fan ? has_one_maximum_at_fan(all, other) : has_one_maximum_at_corner(all, other);
+    if (all.is_known) {
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
+      m_clusters.push_back(all);
+    }
+  }
+
+  // The same for an arc that goes on where that of the front ends, if its clusters one by one are not known.
+  void merge_at_joint(const Arc_end& other)
+  {
+    std::optional<Cluster> all;
+    bool are_known = true;
+    for (Cluster& cluster : m_clusters)
+      if (cluster.arc == other.arc) {
+        are_known = has_one_maximum(cluster) && are_known;
+        all = all ? Cluster{other.arc, united(all->range, cluster.range), hull(all->bounds, cluster.bounds)} : cluster;
+      }
+    if (are_known)
+      return;
+    all->range = united(all->range, {other.parameter(), other.parameter()});
+    if (!has_known_slopes(*all))
+      return;
+    all->is_known = true;
+    std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
+    m_clusters.push_back(*all);
+  }
+
+  // Where the fan is perpendicular to the arc.
+  bool has_one_maximum_at_fan(const Cluster& cluster, const Arc_end& other) const
+  {
+    for (const bool normal : {false, true})
+      if (m_graph.is_perpendicular(m_front, normal, other) && Fan_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
+        return true;
+    return false;
+  }
+
+  bool has_one_maximum_at_corner(Cluster& cluster, const Arc_end& other) const
+  {
+    for (const bool own_end : {false, true}) {
+      const Arc_end own{m_front.object, own_end};
+      if (own == other || (own_end ? m_part.range.end < 1 : m_part.range.begin > 0) || m_graph.vertex_of(own) != m_graph.vertex_of(other))
+        continue;
+      if (const auto least = Corner_disks(m_graph, m_part, own, other, cluster.range).least_curvature_of_only_maximum()) {
+        cluster.bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // The ends of arcs in the vertices of the front that the part touches.
+  std::vector<Arc_end> ends_at_common_vertices() const
+  {
+    std::vector<Arc_end> result;
+    const auto add = [&](std::size_t vertex) { result.insert(result.end(), m_graph.vertices()[vertex].ends.begin(), m_graph.vertices()[vertex].ends.end()); };
+    if (m_front.is_fan)
+      add(m_front.object);
+    else
+      for (const bool end : {false, true})
+        if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
+          add(m_graph.vertex_of({m_front.object, end}));
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CLUSTERS_H
