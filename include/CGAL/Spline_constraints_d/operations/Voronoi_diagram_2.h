@@ -217,7 +217,6 @@ private:
 
   Sample sample(const Part& part, double u) const
   {
-    const auto middle = [](const internal::Interval& x) { return x.inf() / 2 + x.sup() / 2; };
     const internal::Front& front = m_diagram->front(part);
     const internal::Disk_diagram::Disk disk = m_diagram->estimated_disk(part, u);
     const internal::Front_jet x = m_graph->front_jet(front, {u, u});
@@ -232,11 +231,35 @@ private:
     return {point(middle(disk.center[0]), middle(disk.center[1])), radius, parameters};
   }
 
+  static double middle(const internal::Interval& x) { return x.inf() / 2 + x.sup() / 2; }
+
   static Point point(double x, double y) { return internal::kernel_object<Kernel, Point>(std::array<double, 2>{x, y}); }
+
+  // The centers of the disks in a pocket are on a line, up to rounding: from the corner to the disk at the other end, or as far as radii go.
+  void append_corner(const Part& part, double most_radius, std::vector<Sample>& samples) const
+  {
+    const bool is_end = m_diagram->stretch(part).corner->is_end != m_diagram->front(part).is_reversed;   // of the traversal
+    const double u = m_diagram->end_parameter(part, is_end);
+    const Sample corner = sample(part, u);
+    Sample last = sample(part, m_diagram->end_parameter(part, !is_end));
+    if (last.radius > most_radius) {
+      const internal::Front_jet x = m_graph->front_jet(m_diagram->front(part), {u, u});
+      const internal::Interval share = internal::Interval(most_radius) / CGAL::sqrt(internal::squared_norm(x.normal));
+      last.point = point(middle(x.point[0] + share * x.normal[0]), middle(x.point[1] + share * x.normal[1]));
+      last.radius = most_radius;
+    }
+    if (samples.empty())
+      samples.push_back(is_end ? last : corner);
+    samples.push_back(is_end ? corner : last);
+  }
 
   // Appends the samples of a part that are not too far away.
   void append_part(const Part& part, double error, double most_radius, std::vector<Sample>& samples) const
   {
+    if (m_diagram->stretch(part).corner) {
+      append_corner(part, most_radius, samples);
+      return;
+    }
     std::array<double, 2> ends{m_diagram->end_parameter(part, false), m_diagram->end_parameter(part, true)};
     const auto is_near = [&](double u) { return !(sample(part, u).radius > most_radius); };
     double inner = ends[0] / 2 + ends[1] / 2;

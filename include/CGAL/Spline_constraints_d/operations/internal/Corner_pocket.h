@@ -25,7 +25,7 @@ other arc. Hence such points X form a range of the front that begins in the corn
 */
 class Corner_pocket
 {
-  static constexpr int most_halvings = 12;
+  static constexpr int most_halvings = 12, most_shrinkings = 60;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
@@ -35,8 +35,8 @@ class Corner_pocket
   Range m_range;    // of that, with all that disks may touch there
 
 public:
-  // The pocket at an end of a part of a front, if there is one; what is in it is taken from the candidates.
-  static std::optional<Corner_pocket> taken_from(std::vector<Disk_candidate>& candidates, const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part)
+  // The pocket at an end of a part of a front, if there is one.
+  static std::optional<Corner_pocket> at_end_of(const Front_part& part, const Site_graph_2& graph, const Disk_curvature& curvature)
   {
     const Front& front = graph.fronts()[part.front];
     for (const bool end : {false, true}) {
@@ -44,34 +44,58 @@ public:
         continue;
       const auto& next = graph.nearly_smooth_continuation({front.object, end});
       const bool is_left = end != front.is_reversed;   // on the way to the corner
-      if (!next || is_left == next->is_left_reflex)
-        continue;
-      Corner_pocket pocket(graph, curvature, part, {front.object, end}, *next);
-      if (pocket.take(candidates))
-        return pocket;
+      if (next && is_left != next->is_left_reflex)
+        return Corner_pocket(graph, curvature, part, {front.object, end}, *next);
     }
     return std::nullopt;
+  }
+
+  // Takes the candidates that belong to the pocket: those of the other arc that are connected with the corner. Returns whether there are any.
+  bool take(std::vector<Disk_candidate>& candidates)
+  {
+    const auto is_next = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc && c.range.meets(m_range); };
+    const std::size_t size = candidates.size();
+    for (auto next = std::find_if(candidates.begin(), candidates.end(), is_next); next != candidates.end(); next = std::find_if(candidates.begin(), candidates.end(), is_next)) {
+      m_range = united(m_range, next->range);
+      candidates.erase(next);
+    }
+    return candidates.size() < size;
   }
 
   // The end of the front that is in the corner.
   bool end() const { return m_own.is_end; }
 
   // Where disks touch the other arc. There may be several maxima of their curvature.
-  Located_contact contact() const { return {{Disk_contact::Kind::ARC, m_other.arc}, m_range}; }
+  Located_contact contact() const { return contact(m_range); }
 
-  // Whether the other contact of a part is outside of all that may be in a pocket.
-  bool is_outside(const Located_contact& located) const
+  // The same for the disks of a range of the front that are not larger than those of some curvature.
+  Located_contact contact(const Range& range, double least) const
   {
-    const auto is_point_outside = [&](const Interval_pair& p) {
-      const Interval_pair pocket = hull(m_part.jet.point, m_graph.arcs()[m_other.arc].point(m_range));
-      return certain_sign(p[0] - pocket[0]) != 0 || certain_sign(p[1] - pocket[1]) != 0;
-    };
-    switch (located.contact.kind) {
-    case Disk_contact::Kind::ARC: return is_point_outside(m_graph.arcs()[located.contact.index].point(located.range));
-    case Disk_contact::Kind::VERTEX: return is_point_outside(m_graph.vertices()[located.contact.index].point);
-    case Disk_contact::Kind::NOTHING: return true;
-    default: return false;
+    const Front_part part = m_curvature.part(m_part.front, range);
+    Range result = m_range;
+    for (int i = 0; i < most_shrinkings; ++i) {
+      const double middle = result.middle();
+      const Range far = m_other.is_end ? Range{result.begin, middle} : Range{middle, result.end};
+      if (!is_below(part, far, least, most_halvings / 2))
+        break;
+      (m_other.is_end ? result.begin : result.end) = middle;
     }
+    return contact(result);
+  }
+
+  // Whether points are outside of all that may be in the pocket of a disk.
+  bool is_outside(const Interval_pair& points) const
+  {
+    const Interval_pair pocket = hull(m_part.jet.point, m_graph.arcs()[m_other.arc].point(m_range));
+    return certain_sign(points[0] - pocket[0]) != 0 || certain_sign(points[1] - pocket[1]) != 0;
+  }
+
+  // Whether the radii of the disks in the pocket grow with the distance from the corner: their contacts are never opposite.
+  bool has_growing_disks() const
+  {
+    const Curve_jet y = m_graph.arcs()[m_other.arc].jet(m_range, 1);
+    const Interval way(m_other.is_end != m_own.is_end ? 1 : -1), side(m_graph.fronts()[m_part.front].is_reversed ? -1 : 1);
+    return dot(m_part.jet.normal, (way * side) * turned_left(y[1])).inf() > 0;
   }
 
   // Whether the largest disk that touches the front in a point touches the other arc (1) rather than one of some curvature (-1); 0 if that is not certain.
@@ -89,18 +113,7 @@ private:
     : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end), m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
   {}
 
-  // Takes the candidates of the other arc that are connected with the corner.
-  bool take(std::vector<Disk_candidate>& candidates)
-  {
-    const auto is_next = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc && c.range.meets(m_range); };
-    bool is_any = false;
-    for (auto next = std::find_if(candidates.begin(), candidates.end(), is_next); next != candidates.end(); next = std::find_if(candidates.begin(), candidates.end(), is_next)) {
-      m_range = united(m_range, next->range);
-      candidates.erase(next);
-      is_any = true;
-    }
-    return is_any;
-  }
+  Located_contact contact(const Range& range) const { return {{Disk_contact::Kind::ARC, m_other.arc}, range}; }
 
   Interval at(const Front_part& point, const Range& range) const { return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value; }
 

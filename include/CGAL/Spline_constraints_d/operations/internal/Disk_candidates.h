@@ -88,14 +88,7 @@ public:
     return attained.least;
   }
 
-private:
-  // A curvature that is attained for all disks, and the one that is attained by some point, as a function of the parameter of the front: its value in the middle, and its derivative.
-  struct Attained
-  {
-    Interval at_middle, slope;
-    double least = 0;
-  };
-
+  // A box around the points of a candidate.
   Interval_pair points(const Disk_candidate& candidate) const
   {
     switch (candidate.kind) {
@@ -104,6 +97,14 @@ private:
     default: return candidate.jet[0];
     }
   }
+
+private:
+  // A curvature that is attained for all disks, and the one that is attained by some point, as a function of the parameter of the front: its value in the middle, and its derivative.
+  struct Attained
+  {
+    Interval at_middle, slope;
+    double least = 0;
+  };
 
   static bool is_too_low(const Disk_candidate& candidate, const Attained& attained, const Interval& shift)
   {

@@ -133,13 +133,11 @@ public:
   }
 
 private:
-  // The disks of a pocket all touch nearly the same point; parameters are those of their radii.
+  // In the corner of a pocket there is no disk; the other end of the stretch has one. Between, nothing can be told.
   static Attained_curvature curvature_in_corner(const Disk_stretch& stretch, double u)
   {
-    const auto& [begin, end] = stretch.range;
-    const double share = (stretch.corner->is_end ? end - u : u - begin) / stretch.range.width();
-    const Range& located = stretch.boxes.front().second.range;
-    return {share > 0 ? stretch.corner->curvature / Interval(share) : any_number(), located};
+    const double event = stretch.corner->is_end ? stretch.range.begin : stretch.range.end;
+    return {u == event ? stretch.corner->curvature : any_number(), stretch.boxes.front().second.range};
   }
 
   // Of the front and of another arc, in the point where they join.

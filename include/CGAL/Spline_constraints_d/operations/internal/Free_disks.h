@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
@@ -93,6 +94,8 @@ private:
       append_covered();
       return;
     }
+    if (append_pocket(part, candidates))
+      return;
     const auto remove = [&](const auto& is_low) { return std::erase_if(candidates, is_low) > 0; };
     remove([&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() < wanted.inf(); });
     const auto is_below_in_parts = [&](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings); };
@@ -148,6 +151,20 @@ private:
     return branches.size() == 1 && !branches[0].move && certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, branches[0]) - wanted_slope(part)) != 0 && append_monotone(part, branches[0]);
   }
 
+  // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are monotone.
+  bool append_pocket(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  {
+    auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
+    std::vector<Disk_candidate> others(candidates);
+    if (!pocket || !pocket->take(others) || !pocket->has_growing_disks())
+      return false;
+    const double wanted = wanted_curvature(part).inf();
+    if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted; }))
+      return false;
+    const auto sign_at = [&](double u) { return u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, wanted_curvature(m_curvature.part(part.front, {u, u}))); };
+    return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->contact(zero, wanted); });
+  }
+
   // The sign of K - T in a point, if K belongs to a contact.
   int sign_at(std::size_t front, const Located_contact& located, double u) const
   {
@@ -157,22 +174,31 @@ private:
 
   bool append_monotone(const Front_part& part, const Located_contact& located)
   {
-    const auto& [begin, end] = part.range;
-    const int at_begin = sign_at(part.front, located, begin), at_end = sign_at(part.front, located, end);
+    return append_change(part.range, [&](double u) { return sign_at(part.front, located, u); }, [&](const Range& zero) {
+      return Located_contact{located.contact, largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, zero), located).range};
+    });
+  }
+
+  // Where the sign of K - T is known at both ends of a range and has one change there at most: the disk there has the contact that contact_at(zero) tells.
+  template <class Sign_at, class Contact_at>
+  bool append_change(const Range& range, const Sign_at& sign_at, const Contact_at& contact_at)
+  {
+    const auto& [begin, end] = range;
+    const int at_begin = sign_at(begin), at_end = sign_at(end);
     if (at_begin * at_end == 0)
       return false;
     if (at_begin == at_end) {
       if (at_begin < 0)
-        append_free(part.range);
+        append_free(range);
       else
         append_covered();
       return true;
     }
-    const Range zero = range_of_zero(part.range, [&](double u) { return sign_at(part.front, located, u); }, at_begin);
-    const Free_end contact{Free_end::Kind::CONTACT, zero, located.contact, largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, zero), located).range};
+    const Range zero = range_of_zero(range, sign_at, at_begin);
+    const Located_contact located = contact_at(zero);
     if (at_begin < 0)
       append_free({begin, zero.begin});
-    append_boundary(contact);
+    append_boundary({Free_end::Kind::CONTACT, zero, located.contact, located.range});
     if (at_end < 0)
       append_free({zero.end, end});
     else

@@ -136,14 +136,14 @@ private:
   */
   bool append_pocket(const Front_part& part, std::vector<Disk_candidate> candidates, double least)
   {
-    const auto pocket = Corner_pocket::taken_from(candidates, m_graph, m_curvature, part);
-    if (!pocket)
+    auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
+    if (!pocket || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
     const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
       return false;
     const std::vector<Disk_branch> outside = contacts.highest();
-    if (outside.size() > 1 || (!outside.empty() && (outside[0].move || !pocket->is_outside(outside[0]))))
+    if (outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].contact.kind == Disk_contact::Kind::CIRCLE)))
       return false;
     const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, {u, u}), outside[0]).curvature; };
     const auto sign_at = [&](double u) { return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u)); };
@@ -151,18 +151,18 @@ private:
     const int far_sign = sign_at(pocket->end() ? begin : end);
     if (far_sign == 0)
       return false;
-    const Located_contact inside = pocket->contact();
     if (far_sign > 0) {
-      append(inside, part.range);
+      append(pocket->contact(), part.range);
       return true;
     }
     const Range zero = range_of_zero(part.range, sign_at, sign_at(begin));
     const double event = pocket->end() ? zero.begin : zero.end;
-    const Located_contact other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    const Interval curvature = curvature_at(event);
+    const Located_contact inside = pocket->contact(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
     append(first, {begin, event});
     append_event(Disk_event::CROSSING, last, {event, end});
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
-    corner.corner = Corner_end{pocket->end(), curvature_at(event)};
+    corner.corner = Corner_end{pocket->end(), curvature};
     return true;
   }
 
