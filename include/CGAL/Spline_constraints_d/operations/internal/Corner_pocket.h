@@ -50,16 +50,13 @@ public:
     return std::nullopt;
   }
 
-  // Takes the candidates that belong to the pocket: those of the other arc that are connected with the corner. Returns whether there are any.
+  // Takes the candidates that belong to the pocket: those of the other arc that are connected with the corner, and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the other arc. Returns whether the other arc has any.
   bool take(std::vector<Disk_candidate>& candidates)
   {
-    const auto is_next = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc && c.range.meets(m_range); };
-    const std::size_t size = candidates.size();
-    for (auto next = std::find_if(candidates.begin(), candidates.end(), is_next); next != candidates.end(); next = std::find_if(candidates.begin(), candidates.end(), is_next)) {
-      m_range = united(m_range, next->range);
-      candidates.erase(next);
-    }
-    return candidates.size() < size;
+    Range own{m_own.parameter(), m_own.parameter()};
+    const int way = m_own.is_end ? 1 : -1;
+    take_connected(candidates, own, [&](const Disk_candidate& c) { return c.index == m_own.arc && certain_sign(c.bounds.dv) == way; });
+    return take_connected(candidates, m_range, [&](const Disk_candidate& c) { return c.index == m_other.arc; });
   }
 
   // The end of the front that is in the corner.

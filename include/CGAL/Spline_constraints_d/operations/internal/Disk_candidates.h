@@ -191,6 +191,22 @@ private:
   }
 };
 
+// Takes those parts of an arc that are connected with a range, and extends that. Returns whether there are any.
+template <class Is_taken>
+bool take_connected(std::vector<Disk_candidate>& candidates, Range& range, const Is_taken& is_taken)
+{
+  const std::size_t size = candidates.size();
+  for (bool is_any = true; is_any;) {
+    const auto next = std::find_if(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.range.meets(range) && is_taken(c); });
+    is_any = next != candidates.end();
+    if (is_any) {
+      range = united(range, next->range);
+      candidates.erase(next);
+    }
+  }
+  return candidates.size() < size;
+}
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL

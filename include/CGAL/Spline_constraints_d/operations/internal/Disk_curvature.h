@@ -188,7 +188,8 @@ private:
     const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
     const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
     const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
-    return q.inf() > 0 ? (hull(dot(part.jet.normal, x[2]), CGAL::square(scale) * dot(part.jet.normal, y[2])) + Interval(2) * jump) / q : any_number();
+    const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
+    return q.inf() > 0 ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q : any_number();
   }
 
   // A number of which only the sign is known, or not even that.

@@ -248,6 +248,9 @@ private:
       return stretch(m_halfedges[other].parts.front()).corner ? other : none;
     }
     for (const Part& part : h.parts)
+      if (const std::size_t twin = twin_at_tip(part); twin != none)
+        return twin;
+    for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
         const Range& range = stretch(part).range;
         const Disk d = disk(part, range.begin + share * range.width());
@@ -257,6 +260,21 @@ private:
         if (const std::size_t twin = halfedge_at(*touched, front(part)); twin != none)
           return twin;
       }
+    return none;
+  }
+
+  // Where a fan has its contact on an arc that begins or ends there, on the side that comes next: without the disk, which may be too near to the vertex.
+  std::size_t twin_at_tip(const Part& part) const
+  {
+    const Disk_contact& contact = stretch(part).contact;
+    if (!front(part).is_fan || contact.kind != Disk_contact::Kind::ARC)
+      return none;
+    Range range = stretch(part).boxes.front().second.range;
+    for (const auto& [part_of_front, located] : stretch(part).boxes)
+      range = united(range, located.range);
+    for (const std::size_t side : {2 * contact.index, 2 * contact.index + 1})
+      if (front(part).next == side || m_graph.fronts()[side].next == part.front)
+        return halfedge_at({side, range}, front(part));
     return none;
   }
 

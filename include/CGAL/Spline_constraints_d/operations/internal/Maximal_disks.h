@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Common_disk.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
@@ -101,7 +102,7 @@ private:
   {
     const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
-      return append_pocket(part, candidates, least);
+      return append_pocket(part, candidates, least) || append_tip(part, candidates, least);
     const std::vector<Disk_branch> highest = contacts.highest();
     if (highest.size() == 1)
       return append_branch(contacts, part.range, highest[0]);
@@ -164,6 +165,19 @@ private:
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
     corner.corner = Corner_end{pocket->end(), curvature};
     return true;
+  }
+
+  // A part at the tip in a corner.
+  bool append_tip(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  {
+    const Corner_tip tip(m_graph, part);
+    if (const auto only = tip.only_contact(candidates)) {
+      append(*only, part.range);
+      return true;
+    }
+    const auto contacts = tip.vertex_and_arc(candidates);
+    const auto sign_at = [&](double u) { return tip.sign(m_curvature, *m_slopes, *contacts, u, least); };
+    return contacts && append_change(part.range, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
   }
 
   // The centers of the disks that touch a part of a front and a contact.
