@@ -50,13 +50,21 @@ public:
     return std::nullopt;
   }
 
-  // Takes the candidates that belong to the pocket: those of the other arc that are connected with the corner, and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the other arc. Returns whether the other arc has any.
+  // Takes the candidates that belong to the pocket: those of the other arc, or the ones that are connected with the corner; and those of the arc itself on which the curvature grows up to the corner, where it goes on growing on the other arc. Returns whether the other arc has any.
   bool take(std::vector<Disk_candidate>& candidates)
   {
     Range own{m_own.parameter(), m_own.parameter()};
     const int way = m_own.is_end ? 1 : -1;
     take_connected(candidates, own, [&](const Disk_candidate& c) { return c.index == m_own.arc && certain_sign(c.bounds.dv) == way; });
-    return take_connected(candidates, m_range, [&](const Disk_candidate& c) { return c.index == m_other.arc; });
+    const auto is_of_other = [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == m_other.arc; };
+    Range all = m_range;
+    for (const Disk_candidate& candidate : candidates)
+      if (is_of_other(candidate))
+        all = united(all, candidate.range);
+    if (!m_graph.arcs()[m_other.arc].has_monotone_curvature(all))
+      return take_connected(candidates, m_range, is_of_other);
+    m_range = all;
+    return std::erase_if(candidates, is_of_other) > 0;
   }
 
   // The end of the front that is in the corner.
@@ -79,6 +87,9 @@ public:
     }
     return contact(result);
   }
+
+  // Whether disks in the pocket leave no part of the other arc out: those of the part would touch nothing but that, which has its greatest curvature inside then.
+  bool has_one_stretch() const { return m_graph.arcs()[m_other.arc].has_monotone_curvature(m_range); }
 
   // Whether points are outside of all that may be in the pocket of a disk.
   bool is_outside(const Interval_pair& points) const

@@ -31,7 +31,7 @@ public:
   Corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
 
   /*
-  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate. Disks would leave out a part of it only if they touched both ends of that, and those of the part touched nothing but the part: it had a greatest curvature inside.
+  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and its curvature is monotone: disks leave no part of it out, since those of the part would touch nothing but that, which has its greatest curvature inside then.
   */
   std::optional<Located_contact> only_contact(const std::vector<Disk_candidate>& candidates) const
   {
@@ -42,7 +42,7 @@ public:
           range = united(range, candidate.range);
         else
           range = Range();
-      if (is_part(range) && has_monotone_curvature(other.arc, range))
+      if (is_part(range) && m_graph.arcs()[other.arc].has_monotone_curvature(range))
         return Located_contact{{Disk_contact::Kind::ARC, other.arc}, range};
     }
     return std::nullopt;
@@ -73,7 +73,7 @@ public:
           range = united(range, candidate.range);
         else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
           range = Range();
-      if (is_part(range))
+      if (is_part(range) && m_graph.arcs()[other.arc].has_monotone_curvature(range))
         return Contacts{own, other, {{Disk_contact::Kind::VERTEX, vertex}}, {{Disk_contact::Kind::ARC, other.arc}, range}};
     }
     return std::nullopt;
@@ -113,14 +113,6 @@ private:
       if (const auto& next = m_graph.nearly_smooth_continuation({m_front.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && (end != m_front.is_reversed) == next->is_left_reflex)
         result.push_back(next->end);
     return result;
-  }
-
-  // The sign of the derivative of the curvature: that of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
-  bool has_monotone_curvature(std::size_t arc, const Range& range) const
-  {
-    const Curve_jet x = m_graph.arcs()[arc].jet(range, 3);
-    const Interval_pair n = turned_left(x[1]);
-    return certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
   }
 };
 

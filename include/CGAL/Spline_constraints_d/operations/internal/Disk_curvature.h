@@ -30,6 +30,8 @@ Where both points belong to one arc, or to two that join smoothly, both <N, Y - 
 */
 class Disk_curvature
 {
+  static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
+
   const Site_graph_2& m_graph;
 
 public:
@@ -53,13 +55,14 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t vertex) const
   {
     const Front& front = m_graph.fronts()[part.front];
-    if (!front.is_fan)
-      for (const bool is_end : {false, true})
-        if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= 4 * part.range.width())
-          return within_arc(part, front.object, {end.parameter(), end.parameter()});
     Curve_jet jet{};
     jet[0] = m_graph.vertices()[vertex].point;
-    return general(part.jet, jet);
+    Curvature_bounds result = general(part.jet, jet);
+    if (!front.is_fan)
+      for (const bool is_end : {false, true})
+        if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
+          result = common_part(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
+    return result;
   }
 
   // The disks that touch a front from within the circle that it lies on have the curvature of that.

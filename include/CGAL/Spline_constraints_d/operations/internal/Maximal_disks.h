@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -53,8 +54,9 @@ Ranges that become too small are left unresolved.
 class Maximal_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
-  static constexpr double least_width = 0x1p-33;
+  static constexpr double least_width = 0x1p-33, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
+  static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 10000;
 
   const Site_graph_2& m_graph;
@@ -89,7 +91,7 @@ private:
     if (resolve(part, candidates, least))
       return;
     const double middle = range.begin + split_ratio * range.width();
-    if (range.width() < least_width || ++m_nodes > most_nodes) {
+    if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > most_nodes) {
       append_unresolved(range);
       return;
     }
@@ -144,7 +146,7 @@ private:
     if (!contacts.are_known())
       return false;
     const std::vector<Disk_branch> outside = contacts.highest();
-    if (outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].contact.kind == Disk_contact::Kind::CIRCLE)))
+    if (!pocket->has_one_stretch() || outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].contact.kind == Disk_contact::Kind::CIRCLE)))
       return false;
     const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, {u, u}), outside[0]).curvature; };
     const auto sign_at = [&](double u) { return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u)); };
@@ -158,6 +160,8 @@ private:
     }
     const Range zero = range_of_zero(part.range, sign_at, sign_at(begin));
     const double event = pocket->end() ? zero.begin : zero.end;
+    if (std::abs(event - (pocket->end() ? 1 : 0)) > most_corner)
+      return false;
     const Interval curvature = curvature_at(event);
     const Located_contact inside = pocket->contact(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
     append(first, {begin, event});

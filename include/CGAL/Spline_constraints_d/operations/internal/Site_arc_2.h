@@ -192,6 +192,16 @@ public:
     return result;
   }
 
+  // Whether the curvature is certain to grow, to fall, or to be constant, over a range: the sign of its derivative is that of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
+  bool has_monotone_curvature(const Range& range) const
+  {
+    if (m_is_straight || m_circle)
+      return true;
+    const Curve_jet x = jet(range, 3);
+    const Interval_pair n = turned_left(x[1]);
+    return certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
+  }
+
 private:
   static Bernstein_tensor<Exact_rational> divided_by(const Bernstein_tensor<Exact_rational>& tensor, const Exact_rational& number)
   {

@@ -150,6 +150,12 @@ public:
 
   const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
 
+  // Whether a front is a fan between arcs that join nearly smoothly.
+  bool is_in_nearly_smooth_joint(const Front& front) const
+  {
+    return front.is_fan && !m_vertices[front.object].ends.empty() && nearly_smooth_continuation(m_vertices[front.object].ends.front()).has_value();
+  }
+
   // The number of connected sets of arcs and vertices.
   std::size_t number_of_components() const
   {
