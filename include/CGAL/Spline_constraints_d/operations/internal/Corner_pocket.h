@@ -42,10 +42,8 @@ public:
     for (const bool end : {false, true}) {
       if (front.is_fan || (end ? part.range.end < 1 : part.range.begin > 0))
         continue;
-      const auto& next = graph.nearly_smooth_continuation({front.object, end});
-      const bool is_left = end != front.is_reversed;   // on the way to the corner
-      if (next && is_left != next->is_left_reflex)
-        return Corner_pocket(graph, curvature, part, {front.object, end}, *next);
+      if (const Arc_end own{front.object, end}; graph.is_pocket(front, own))
+        return Corner_pocket(graph, curvature, part, own, *graph.nearly_smooth_continuation(own));
     }
     return std::nullopt;
   }

@@ -110,7 +110,7 @@ private:
       return result;
     }
     for (const bool end : {false, true})
-      if (const auto& next = m_graph.nearly_smooth_continuation({m_front.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && (end != m_front.is_reversed) == next->is_left_reflex)
+      if (const auto& next = m_graph.nearly_smooth_continuation({m_front.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && !m_graph.is_pocket(m_front, {m_front.object, end}))
         result.push_back(next->end);
     return result;
   }

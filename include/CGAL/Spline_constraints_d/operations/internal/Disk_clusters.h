@@ -64,7 +64,7 @@ public:
       merge_at_vertex(end);
     if (!m_front.is_fan)
       for (const bool end : {false, true})
-        if (const auto next = end_after({m_front.object, end}))
+        if (const auto next = graph.end_after({m_front.object, end}))
           merge_at_joint(*next);
     for (Cluster& cluster : m_clusters)
       m_are_known = m_are_known && has_one_maximum(cluster);
@@ -164,18 +164,9 @@ private:
     return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
   }
 
-  // Of the arc that goes on smoothly, or nearly so.
-  std::optional<Arc_end> end_after(const Arc_end& end) const
-  {
-    if (const auto& continuation = m_graph.continuation(end))
-      return continuation->end;
-    const auto& nearly = m_graph.nearly_smooth_continuation(end);
-    return nearly ? std::optional(nearly->end) : std::nullopt;
-  }
-
   bool is_end_after(const Arc_end& before, const Arc_end& after) const
   {
-    const auto end = end_after(before);
+    const auto end = m_graph.end_after(before);
     return end && *end == after;
   }
 

@@ -326,7 +326,7 @@ private:
     const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
     if (p == q)
       return std::nullopt;
-    return Exact_rational(2 * exact_dot(m_graph.exact_normal(m_front, end), d) / exact_dot(d, d));
+    return Exact_rational(2 * exact_dot(m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), d) / exact_dot(d, d));
   }
 
   // The order of two branches if it is the same for all of the part, or 0.

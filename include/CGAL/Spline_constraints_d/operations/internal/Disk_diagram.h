@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -52,6 +53,8 @@ public:
   };
 
 private:
+  static constexpr double most_error = 1e-10;   // of radii that are reported, relative
+
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
   std::vector<std::size_t> m_fronts;                       // those it is made of
@@ -113,18 +116,22 @@ public:
   // The same up to rounding, also near the ends of arcs; where arcs join smoothly, the disk has the greater one of their curvatures. Not finite in corners.
   Disk estimated_disk(const Part& part, double u) const
   {
-    const Disk result = disk(part, u);
+    Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
+    if (contact.kind == Disk_contact::Kind::ARC && !std::isfinite(result.curvature.inf()))
+      result.other_range = range_in_corner(front(part), u, contact.index).value_or(result.other_range);
     if (contact.kind != Disk_contact::Kind::ARC || stretch(part).corner)
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
     const double v = result.other_range.middle();
-    const auto width = [](const Interval& k) { return k.sup() - k.inf(); };
-    Interval k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
-    if (!(width(k) < width(result.curvature)))
-      k = result.curvature;
+    const auto is_wide = [](const Interval& k) { return !(k.sup() < std::numeric_limits<double>::infinity() && k.sup() - k.inf() <= most_error * k.sup()); };
+    Interval k = result.curvature;
+    if (is_wide(k))
+      k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
+    if (is_wide(k))
+      k = exact_curvature(front(part), u, contact.index, v).value_or(result.curvature);
     Range other_range = result.other_range;
-    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && !(k.inf() > joint->curvature.inf())) {
+    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && (front(part).is_fan || !(k.inf() > joint->curvature.inf()))) {
       k = joint->curvature;
       other_range = joint->range;
     }
@@ -133,6 +140,23 @@ public:
   }
 
 private:
+  // That of the disk that touches a front in a point and passes through a point of an arc.
+  std::optional<Interval> exact_curvature(const Front& front, double u, std::size_t arc, double v) const
+  {
+    const Exact_pair x = front.is_fan ? m_graph.vertices()[front.object].exact_point : m_graph.arcs()[front.object].at(u), y = m_graph.arcs()[arc].at(v), d{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
+    const Exact_rational square = exact_dot(d, d);
+    return sign_of(square) == 0 ? std::nullopt : std::optional(interval_of(Exact_rational(2 * exact_dot(m_graph.exact_normal(front, Exact_rational(u)), d) / square)));
+  }
+
+  // The end of an arc in the corner that a point of a front is next to.
+  std::optional<Range> range_in_corner(const Front& front, double u, std::size_t arc) const
+  {
+    for (const bool is_end : {false, true})
+      if (!front.is_fan && m_graph.vertex_of({arc, is_end}) == m_graph.vertex_of({front.object, u > 0.5}))
+        return Range{Arc_end{arc, is_end}.parameter(), Arc_end{arc, is_end}.parameter()};
+    return std::nullopt;
+  }
+
   // In the corner of a pocket there is no disk; the other end of the stretch has one. Between, nothing can be told.
   static Attained_curvature curvature_in_corner(const Disk_stretch& stretch, double u)
   {
@@ -140,20 +164,26 @@ private:
     return {u == event ? stretch.corner->curvature : any_number(), stretch.boxes.front().second.range};
   }
 
-  // Of the front and of another arc, in the point where they join.
+  // Of the front and of another arc, in the point where they join; of an arc alone if the front is a small fan between two, where the contact is next to the vertex.
   std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
   {
     const Front& front = m_graph.fronts()[point.front];
-    const Arc_end own{front.object, point.range.begin == 1};
-    if (front.is_fan || point.range.begin != own.parameter() || !m_graph.continuation(own) || m_graph.continuation(own)->end.arc != other)
-      return std::nullopt;
     const auto curvature = [&](const Arc_end& end) {
       const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
       return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
     };
-    const Arc_end& next = m_graph.continuation(own)->end;
-    const Interval a = curvature(own), b = curvature(next);
-    return Attained_curvature{a.inf() > b.inf() ? a : b, {next.parameter(), next.parameter()}};
+    if (m_graph.is_in_nearly_smooth_joint(front))
+      for (const Arc_end& end : m_graph.vertices()[front.object].ends)
+        if (end.arc == other)
+          return Attained_curvature{curvature(end), {end.parameter(), end.parameter()}};
+    if (front.is_fan || !point.range.is_number())
+      return std::nullopt;
+    const Arc_end own{front.object, point.range.begin == 1};
+    const auto next = m_graph.end_after(own);
+    if (point.range.begin != own.parameter() || !next || next->arc != other || m_graph.is_pocket(front, own))
+      return std::nullopt;
+    const Interval a = curvature(own), b = curvature(*next);
+    return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};
   }
 
   // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.

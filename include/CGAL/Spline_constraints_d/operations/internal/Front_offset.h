@@ -89,8 +89,10 @@ private:
   {
     const Interval_pair chord = point({range.end, range.end}) - point({range.begin, range.begin});
     const Interval length = CGAL::sqrt(squared_norm(chord));
-    if (!(length.inf() > 0))
-      return range.width() > 0 ? std::numeric_limits<double>::infinity() : 0;
+    if (!(length.inf() > 0)) {   // as far as the offset goes at all
+      const Interval_pair box = point(range);
+      return CGAL::sqrt(CGAL::square(box[0] - box[0]) + CGAL::square(box[1] - box[1])).sup();
+    }
     const Interval rise = dot(turned_left(chord), derivative(range)) / length * (Interval(range.end) - Interval(range.begin)) / Interval(2);   // at most half of the way up
     return (std::max)(rise.sup(), -rise.inf());
   }

@@ -150,6 +150,22 @@ public:
 
   const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
 
+  // That of the arc that goes on smoothly, or nearly so.
+  std::optional<Arc_end> end_after(const Arc_end& end) const
+  {
+    if (const auto& smooth = continuation(end))
+      return smooth->end;
+    const auto& nearly = nearly_smooth_continuation(end);
+    return nearly ? std::optional(nearly->end) : std::nullopt;
+  }
+
+  // Whether a front ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
+  bool is_pocket(const Front& front, const Arc_end& end) const
+  {
+    const auto& next = nearly_smooth_continuation(end);
+    return next && (end.is_end != front.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
+  }
+
   // Whether a front is a fan between arcs that join nearly smoothly.
   bool is_in_nearly_smooth_joint(const Front& front) const
   {
@@ -212,12 +228,14 @@ public:
     return exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
   }
 
-  // The normal in the begin (0) or end (1) of the parameters of a front, up to its length.
-  Exact_pair exact_normal(const Front& front, bool end) const
+  // The normal in a point of a front.
+  Exact_pair exact_normal(const Front& front, const Exact_rational& u) const
   {
-    if (front.is_fan)
-      return front.exact_normals[end];
-    const Exact_pair tangent = m_arcs[front.object].direction_at(end);
+    if (front.is_fan) {
+      const auto& [from, to] = front.exact_normals;
+      return {Exact_rational(from[0] + u * (to[0] - from[0])), Exact_rational(from[1] + u * (to[1] - from[1]))};
+    }
+    const Exact_pair tangent = m_arcs[front.object].derivative_at(u);
     return front.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
   }
 

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams and offsets of curves with joints that are smooth but for rounding: as complete as those of exactly smooth ones, with the same areas, and with the bisector of each corner.
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+// Closed chains of cubics; those that meet have the same tangent, up to what rounding makes of it.
+Curves closed_chain(unsigned seed, double angle, double grid)
+{
+  std::mt19937 random(seed);
+  const int n = 4 + static_cast<int>(seed % 4);
+  const auto place = [&](double x, double y) {
+    return P(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y);
+  };
+  const auto on_grid = [&](double x) { return std::round(x * grid) / grid; };
+  std::vector<std::pair<double, double>> points, tangents;
+  for (int i = 0; i < n; ++i) {
+    const double direction = 2 * CGAL_PI * i / n, radius = 3 + std::uniform_real_distribution<double>(0, 4)(random);
+    points.emplace_back(on_grid(radius * std::cos(direction)), on_grid(radius * std::sin(direction)));
+  }
+  for (int i = 0; i < n; ++i) {
+    const auto &a = points[(i + n - 1) % n], &b = points[(i + 1) % n];
+    const double length = std::uniform_real_distribution<double>(0.12, 0.22)(random);
+    tangents.emplace_back(on_grid(length * (b.first - a.first)), on_grid(length * (b.second - a.second)));
+  }
+  Curves result;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    result.push_back(bezier({place(points[i].first, points[i].second), place(points[i].first + tangents[i].first, points[i].second + tangents[i].second),
+                             place(points[j].first - tangents[j].first, points[j].second - tangents[j].second), place(points[j].first, points[j].second)}));
+  }
+  return result;
+}
+
+// Decimal numbers, as in most drawings, and any numbers.
+TEST(NearlySmoothJoints, DiagramsAreComplete)
+{
+  for (const unsigned seed : {0U, 2U, 3U, 4U, 5U, 7U}) {
+    const Curves curves = closed_chain(seed, seed % 2 == 0 ? 0 : 0.3, 1000);
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    EXPECT_TRUE(diagram.is_complete()) << "seed " << seed;
+    EXPECT_GT(diagram.edges().size(), 0U);
+    expect_euler(diagram);
+    if (seed == 2 || seed == 3)
+      expect_empty_disks(diagram, curves);
+  }
+}
+
+// Where two pieces meet at an angle of less than 180 degrees, an edge begins in the corner: with a radius of zero, perpendicular to the curve.
+TEST(NearlySmoothJoints, EdgesBeginInCorners)
+{
+  const Curves curves{bezier({P(-1, 1), P(-0.5, 0.25), P(0, 0)}), bezier({P(0, 0), P(1.5, -0.75 + 0x1p-50), P(2, 1)}), bezier({P(-1, 3), P(2, 3)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  std::size_t corners = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
+    const auto line = diagram.polyline(e, 0.01, 100);
+    for (const auto& [end, next] : {std::pair(line.front(), line[1]), std::pair(line.back(), line[line.size() - 2])})
+      if (end.radius == 0 && end.point == P(0, 0)) {
+        ++corners;
+        EXPECT_NEAR(next.point.x() / next.point.y(), 0.5, 1e-9);
+        EXPECT_NEAR(distance(end.point, next.point), next.radius, 1e-9);
+      }
+  }
+  EXPECT_EQ(corners, 1U);
+}
+
+double area(const Curves& curves, double radius)
+{
+  const SC::Trimmed_offset_2<K> offset = SC::trimmed_offset(curves, radius);
+  EXPECT_TRUE(offset.is_complete());
+  double result = 0;
+  for (const auto& polygon : offset.polygons_with_holes(1e-5)) {
+    result += polygon.outer_boundary().area();
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      result += hole->area();
+  }
+  return result;
+}
+
+// On a grid the joints are exactly smooth, turned they are not.
+TEST(NearlySmoothJoints, OffsetsAreThoseOfSmoothOnes)
+{
+  for (const unsigned seed : {1U, 2U, 3U})
+    for (const double radius : {0.25, 1.0}) {
+      const double exact = area(closed_chain(seed, 0, 64), radius);
+      EXPECT_GT(exact, radius);
+      EXPECT_NEAR(area(closed_chain(seed, 0.3, 64), radius), exact, 1e-3);
+    }
+}
