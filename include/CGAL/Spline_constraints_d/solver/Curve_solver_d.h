@@ -192,6 +192,13 @@ private:
   }
 };
 
+// All curves of solutions of a system.
+template <class Traits, class Concurrency_tag>
+Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
+{
+  return All_curves<Traits, Concurrency_tag>(system, options, control)();
+}
+
 } // namespace internal
 
 /*!
@@ -238,7 +245,7 @@ public:
       if (!(system.domain(v).first < system.domain(v).second))
         throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
     internal::Run_control control(visitor, m_options);
-    return internal::All_curves<Traits, Concurrency_tag>(system, m_options, control)();
+    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control);
   }
 
   Curve_solution_set_d operator()(const Constraint_system_d& system) const
