@@ -79,7 +79,7 @@ public:
   //! an edge.
   struct Edge
   {
-    std::array<std::size_t, 2> sites;                       ///< the site on its left, and that on its right; the same one if both contacts are on one piece
+    std::array<std::size_t, 2> sites;                       ///< the site on its right, and that on its left; the same one if both contacts are on one piece
     std::array<std::size_t, 2> vertices;                    ///< where it begins and ends
     std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
   };
