@@ -30,7 +30,7 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The Minkowski sum of two regions: all sums of a point of one and a point of the other. A region again, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
+The Minkowski sum of two regions, or of a region and a curve: all sums of a point of one and a point of the other. A region, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -41,7 +41,7 @@ public:
   using Point = typename Kernel::Point_2;
   using Sample = Curve_pair_sample<Kernel>;
 
-  //! an arc of a boundary: the sums of points of a part of a curve of the first region and a part of one of the second region. One of these may be a point.
+  //! an arc of a boundary: the sums of points of a part of a curve of the first operand and a part of one of the second operand. One of these may be a point.
   struct Arc
   {
     std::array<std::size_t, 2> curves;                  ///< the indices of the curves
@@ -66,8 +66,8 @@ private:
     internal::Convolution_2 convolution;
     internal::Sum_boundary_2 boundary;
 
-    Model(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
-      : loops{a.loops(), b.loops()}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
+    Model(std::vector<internal::Boundary_loop_2> a, std::vector<internal::Boundary_loop_2> b)
+      : loops{std::move(a), std::move(b)}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
     {}
   };
 
@@ -76,10 +76,11 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Minkowski_sum_2(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
+  // Of the sets with these boundaries.
+  Minkowski_sum_2(std::vector<internal::Boundary_loop_2> a, std::vector<internal::Boundary_loop_2> b)
   {
     const Upward_rounding_guard guard;
-    m_model = std::make_shared<const Model>(a, b);
+    m_model = std::make_shared<const Model>(std::move(a), std::move(b));
     for (const Chain& chain : m_model->boundary.chains())
       m_boundaries.push_back(boundary(chain));
   }
