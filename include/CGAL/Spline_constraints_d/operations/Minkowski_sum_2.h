@@ -10,6 +10,8 @@
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_sample.h>
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_boundary_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2.h>
@@ -17,7 +19,6 @@
 #include <CGAL/Uncertain.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -231,24 +232,12 @@ private:
 
   Samples samples_along(const Section& section, double error) const
   {
-    const auto& [begin, end] = section.range;
-    Samples result{{begin, point(section, begin)}};
-    append_samples(section, {end, point(section, end)}, error, result, 0);
+    const auto sample = [&](double t) { return Samples::value_type{t, point(section, t)}; };
+    const auto between = [&](const auto& from, const auto& to) { return sample(from.first / 2 + to.first / 2); };
+    const auto is_chord = [&](const auto& from, const auto& middle, const auto& to) { return internal::distance_from_middle(from.second, middle.second, to.second) <= error; };
+    Samples result{sample(section.range.begin)};
+    internal::append_samples(result, sample(section.range.end), between, is_chord);
     return result;
-  }
-
-  // Up to an end.
-  void append_samples(const Section& section, const std::pair<double, Double_point>& end, double error, Samples& samples, int depth) const
-  {
-    constexpr int least_depth = 2, most_depth = 16;
-    const auto [t, p] = samples.back();
-    const Double_point &q = end.second, m = point(section, t / 2 + end.first / 2);
-    if (depth >= most_depth || (depth >= least_depth && std::hypot(m[0] - (p[0] + q[0]) / 2, m[1] - (p[1] + q[1]) / 2) <= error)) {
-      samples.push_back(end);
-      return;
-    }
-    append_samples(section, {t / 2 + end.first / 2, m}, error, samples, depth + 1);
-    append_samples(section, end, error, samples, depth + 1);
   }
 };
 

@@ -99,8 +99,7 @@ public:
       const internal::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
       const internal::Front_offset offset = m_cycles->offset(piece);
       const auto [begin, end] = parameters(piece);
-      std::vector<double> stops{begin};
-      offset.append_stops(begin, end, error, stops);
+      const std::vector<double> stops = offset.stops(begin, end, error);
       for (std::size_t i = result.empty() ? 0 : 1; i < stops.size(); ++i)
         result.push_back(middle(offset.point({stops[i], stops[i]})));
     }
