@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 
 #include <CGAL/iterator.h>
 
