@@ -10,6 +10,8 @@
 #include <CGAL/Spline_constraints_d/operations/Curve_pair_sample.h>
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_boundary_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2.h>
@@ -17,7 +19,6 @@
 #include <CGAL/Uncertain.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -30,7 +31,7 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The Minkowski sum of two regions: all sums of a point of one and a point of the other. A region again, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
+The Minkowski sum of two regions, or of a region and a curve: all sums of a point of one and a point of the other. A region, whose boundaries consist of arcs that are sums of points of two curves with the same direction.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -41,7 +42,7 @@ public:
   using Point = typename Kernel::Point_2;
   using Sample = Curve_pair_sample<Kernel>;
 
-  //! an arc of a boundary: the sums of points of a part of a curve of the first region and a part of one of the second region. One of these may be a point.
+  //! an arc of a boundary: the sums of points of a part of a curve of the first operand and a part of one of the second operand. One of these may be a point.
   struct Arc
   {
     std::array<std::size_t, 2> curves;                  ///< the indices of the curves
@@ -66,8 +67,8 @@ private:
     internal::Convolution_2 convolution;
     internal::Sum_boundary_2 boundary;
 
-    Model(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
-      : loops{a.loops(), b.loops()}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
+    Model(std::vector<internal::Boundary_loop_2> a, std::vector<internal::Boundary_loop_2> b)
+      : loops{std::move(a), std::move(b)}, first(loops[0]), second(loops[1]), interior(first, second), convolution(first, second, interior), boundary(convolution, interior)
     {}
   };
 
@@ -76,10 +77,11 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Minkowski_sum_2(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
+  // Of the sets with these boundaries.
+  Minkowski_sum_2(std::vector<internal::Boundary_loop_2> a, std::vector<internal::Boundary_loop_2> b)
   {
     const Upward_rounding_guard guard;
-    m_model = std::make_shared<const Model>(a, b);
+    m_model = std::make_shared<const Model>(std::move(a), std::move(b));
     for (const Chain& chain : m_model->boundary.chains())
       m_boundaries.push_back(boundary(chain));
   }
@@ -230,24 +232,12 @@ private:
 
   Samples samples_along(const Section& section, double error) const
   {
-    const auto& [begin, end] = section.range;
-    Samples result{{begin, point(section, begin)}};
-    append_samples(section, {end, point(section, end)}, error, result, 0);
+    const auto sample = [&](double t) { return Samples::value_type{t, point(section, t)}; };
+    const auto between = [&](const auto& from, const auto& to) { return sample(from.first / 2 + to.first / 2); };
+    const auto is_chord = [&](const auto& from, const auto& middle, const auto& to) { return internal::distance_from_middle(from.second, middle.second, to.second) <= error; };
+    Samples result{sample(section.range.begin)};
+    internal::append_samples(result, sample(section.range.end), between, is_chord);
     return result;
-  }
-
-  // Up to an end.
-  void append_samples(const Section& section, const std::pair<double, Double_point>& end, double error, Samples& samples, int depth) const
-  {
-    constexpr int least_depth = 2, most_depth = 16;
-    const auto [t, p] = samples.back();
-    const Double_point &q = end.second, m = point(section, t / 2 + end.first / 2);
-    if (depth >= most_depth || (depth >= least_depth && std::hypot(m[0] - (p[0] + q[0]) / 2, m[1] - (p[1] + q[1]) / 2) <= error)) {
-      samples.push_back(end);
-      return;
-    }
-    append_samples(section, {t / 2 + end.first / 2, m}, error, samples, depth + 1);
-    append_samples(section, end, error, samples, depth + 1);
   }
 };
 

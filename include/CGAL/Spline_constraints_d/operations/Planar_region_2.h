@@ -8,8 +8,11 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -56,6 +59,7 @@ public:
   {
     std::vector<Arc> arcs;   ///< in order; each begins in the point where the one before ends
     bool is_hole;            ///< whether it is that of a hole, and clockwise
+    std::size_t outer;       ///< the index of the outer boundary of the same part of the region
   };
 
 private:
@@ -121,6 +125,26 @@ public:
     return {result.lower, result.upper};
   }
 
+  /*!
+  the region as polygons, one for each part, with chords of the curves as edges: if the error is small enough for these not to meet elsewhere, the polygons are simple. Ends of polynomial pieces are corners of the polygons.
+  \param error the distance of curves from their chords, at most, up to rounding of the corners; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
+  {
+    if (!(error > 0))
+      throw Invalid_input("Planar_region_2: the error must be positive");
+    return internal::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(m_boundaries, [&](std::size_t b) {
+      CGAL::Polygon_2<Kernel> polygon;
+      for (const internal::Boundary_piece& piece : m_loops[b].pieces()) {
+        polygon.push_back(internal::kernel_object<Kernel, Point>(piece.at(0)));
+        for (const std::array<double, 2>& corner : piece.inner_corners(error))
+          polygon.push_back(internal::kernel_object<Kernel, Point>(corner));
+      }
+      return polygon;
+    });
+  }
+
 #ifndef DOXYGEN_RUNNING
   // The boundaries in pieces, for the package.
   const std::vector<internal::Boundary_loop_2>& loops() const { return m_loops; }
@@ -153,7 +177,7 @@ private:
     }
     const std::vector<bool> is_closed(m_curves.size(), false);
     for (const Intersection_curve& chain : internal::chains_of_curves(is_closed, [&](const End& end) { return std::optional<End>(next[end.curve][end.side]); })) {
-      Boundary boundary{{}, false};
+      Boundary boundary{{}, false, 0};
       std::vector<internal::Boundary_piece> all;
       for (const Intersection_arc& arc : chain.arcs) {
         boundary.arcs.push_back({arc.index, arc.is_reversed});
@@ -183,19 +207,23 @@ private:
     }
   }
 
-  // Turns the boundaries around so that the region is on their left: those within an even number of others are counterclockwise.
+  // Turns the boundaries around so that the region is on their left: those within an even number of others are counterclockwise. Of the others, the innermost one around each belongs to the same part.
   void orient_boundaries()
   {
-    for (std::size_t i = 0; i < m_loops.size(); ++i) {
-      int depth = 0;
+    std::vector<std::vector<std::size_t>> around(m_loops.size());
+    for (std::size_t i = 0; i < m_loops.size(); ++i)
       for (std::size_t k = 0; k < m_loops.size(); ++k)
-        depth += k != i && m_loops[k].winding_number(m_loops[i].source()) != 0;
-      m_boundaries[i].is_hole = depth % 2 == 1;
-      if (m_loops[i].is_counterclockwise() != m_boundaries[i].is_hole)
+        if (k != i && m_loops[k].winding_number(m_loops[i].source()) != 0)
+          around[i].push_back(k);
+    for (std::size_t i = 0; i < m_loops.size(); ++i) {
+      Boundary& boundary = m_boundaries[i];
+      boundary.is_hole = around[i].size() % 2 == 1;
+      boundary.outer = boundary.is_hole ? *std::max_element(around[i].begin(), around[i].end(), [&](std::size_t a, std::size_t b) { return around[a].size() < around[b].size(); }) : i;
+      if (m_loops[i].is_counterclockwise() != boundary.is_hole)
         continue;
       m_loops[i].reverse();
-      std::reverse(m_boundaries[i].arcs.begin(), m_boundaries[i].arcs.end());
-      for (Arc& arc : m_boundaries[i].arcs)
+      std::reverse(boundary.arcs.begin(), boundary.arcs.end());
+      for (Arc& arc : boundary.arcs)
         arc.is_reversed = !arc.is_reversed;
     }
   }

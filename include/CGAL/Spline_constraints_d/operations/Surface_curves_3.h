@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/operations/Surface_curve.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
@@ -213,28 +214,18 @@ private:
   auto line_samples(const Constraint_system_d& system, const Constant_parameter& line, const Is_chord& is_chord) const
   {
     constexpr int pieces = 16;
-    const auto& [begin, end] = system.domain(1 - line.axis);
-    const auto at = [&, first = CGAL::to_double(begin), last = CGAL::to_double(end)](double share) {
+    const auto axis = static_cast<std::size_t>(1 - line.axis);
+    const double first = CGAL::to_double(system.domain(1 - line.axis).first), last = CGAL::to_double(system.domain(1 - line.axis).second);
+    const auto at = [&](double t) {
       std::vector<double> unknowns(2, CGAL::to_double(line.value));
-      unknowns[static_cast<std::size_t>(1 - line.axis)] = first + share * (last - first);
+      unknowns[axis] = t;
       return internal::Curve_sample<decltype(m_point(unknowns))>{unknowns, m_point(unknowns)};
     };
-    std::vector result{at(0)};
-    for (int i = 0; i < pieces; ++i)
-      append_chords(result, at, i / double(pieces), (i + 1) / double(pieces), is_chord);
+    const auto between = [&](const auto& from, const auto& to) { return at(from.unknowns[axis] / 2 + to.unknowns[axis] / 2); };
+    std::vector result{at(first)};
+    for (int i = 1; i <= pieces; ++i)
+      internal::append_samples(result, at(first + (last - first) * i / pieces), between, is_chord, {0, 48});
     return result;
-  }
-
-  template <class Samples, class At, class Is_chord>
-  static void append_chords(Samples& samples, const At& at, double begin, double end, const Is_chord& is_chord)
-  {
-    const double middle = (begin + end) / 2;
-    if (!(begin < middle && middle < end) || is_chord(at(begin), at(middle), at(end)))
-      samples.push_back(at(end));
-    else {
-      append_chords(samples, at, begin, middle, is_chord);
-      append_chords(samples, at, middle, end, is_chord);
-    }
   }
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Offset_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 
 #include <CGAL/Polygon_with_holes_2.h>
 
@@ -98,8 +99,7 @@ public:
       const internal::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
       const internal::Front_offset offset = m_cycles->offset(piece);
       const auto [begin, end] = parameters(piece);
-      std::vector<double> stops{begin};
-      offset.append_stops(begin, end, error, stops);
+      const std::vector<double> stops = offset.stops(begin, end, error);
       for (std::size_t i = result.empty() ? 0 : 1; i < stops.size(); ++i)
         result.push_back(middle(offset.point({stops[i], stops[i]})));
     }
@@ -115,17 +115,7 @@ public:
   std::vector<Polygon_with_holes> polygons_with_holes(double error) const
   {
     check(error);
-    std::vector<Polygon_with_holes> result;
-    std::vector<std::size_t> polygon_of(m_boundaries.size(), internal::Offset_cycles::none);
-    for (std::size_t b = 0; b < m_boundaries.size(); ++b)
-      if (m_boundaries[b].outer == b) {
-        polygon_of[b] = result.size();
-        result.emplace_back(polygon(m_boundaries[b], error));
-      }
-    for (const Boundary& boundary : m_boundaries)
-      if (boundary.is_hole && boundary.outer != internal::Offset_cycles::none)
-        result[polygon_of[boundary.outer]].add_hole(polygon(boundary, error));
-    return result;
+    return internal::polygons_of_parts<Polygon_with_holes>(m_boundaries, [&](std::size_t b) { return polygon(m_boundaries[b], error); });
   }
 
 private:

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 
 #include <array>
 #include <cmath>
@@ -79,7 +80,7 @@ public:
   //! an edge.
   struct Edge
   {
-    std::array<std::size_t, 2> sites;                       ///< the site on its left, and that on its right; the same one if both contacts are on one piece
+    std::array<std::size_t, 2> sites;                       ///< the site on its right, and that on its left; the same one if both contacts are on one piece
     std::array<std::size_t, 2> vertices;                    ///< where it begins and ends
     std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
   };
@@ -269,10 +270,14 @@ private:
       return;
     for (double& end : ends)
       end = last_near(inner, end, is_near);
-    const Sample first = sample(part, ends[0]);
-    if (samples.empty())
-      samples.push_back(first);
-    append_samples(part, ends[0], ends[1], first, sample(part, ends[1]), error, samples, 0);
+    using Located = std::pair<double, Sample>;
+    const auto located = [&](double u) { return Located(u, sample(part, u)); };
+    const auto between = [&](const Located& from, const Located& to) { return located(from.first / 2 + to.first / 2); };
+    const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return height_over_chord(from.second, middle.second, to.second) <= error; };
+    std::vector<Located> along{located(ends[0])};
+    internal::append_samples(along, located(ends[1]), between, is_chord);
+    for (std::size_t i = samples.empty() ? 0 : 1; i < along.size(); ++i)
+      samples.push_back(along[i].second);
   }
 
   // The parameter nearest to an end with disks that are not too large.
@@ -289,21 +294,12 @@ private:
     return inner;
   }
 
-  void append_samples(const Part& part, double begin, double end, const Sample& from, const Sample& to, double error, std::vector<Sample>& samples, int depth) const
+  static double height_over_chord(const Sample& from, const Sample& middle, const Sample& to)
   {
-    constexpr int least_depth = 2, most_depth = 16;
-    const double u = begin / 2 + end / 2;
-    const Sample middle = sample(part, u);
     const auto coordinates = [](const Sample& s) { return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())}; };
     const auto p = coordinates(from), q = coordinates(middle), r = coordinates(to);
-    const double distance = std::hypot(q[0] - (p[0] + r[0]) / 2, q[1] - (p[1] + r[1]) / 2), length = std::hypot(r[0] - p[0], r[1] - p[1]);
-    const double height = length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length : distance;
-    if (depth >= most_depth || (depth >= least_depth && height <= error)) {
-      samples.push_back(to);
-      return;
-    }
-    append_samples(part, begin, u, from, middle, error, samples, depth + 1);
-    append_samples(part, u, end, middle, to, error, samples, depth + 1);
+    const double length = std::hypot(r[0] - p[0], r[1] - p[1]);
+    return length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length : std::hypot(q[0] - p[0], q[1] - p[1]);
   }
 };
 

@@ -32,7 +32,7 @@ Complexity: the product of the numbers of arcs for the convolution, crossings of
 template <SplineKernel Kernel>
 Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Planar_region_2<Kernel>& b)
 {
-  return Minkowski_sum_2<Kernel>(a, b);
+  return {a.loops(), b.loops()};
 }
 
 /*!

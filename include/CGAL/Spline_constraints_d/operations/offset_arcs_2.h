@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/Locus_intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/offset_features_2.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
@@ -53,24 +54,6 @@ struct Offset_arcs_2
   Locus_intersections<2> cusps;     ///< the cusps, certified, as `cusps()` finds them
 };
 
-namespace internal {
-
-// Appends the samples between two neighbouring ones, and the second one.
-inline void append_offset_samples(const Differentiated_map& curve, const Exact_rational& distance, const Offset_sample_2& from, const Offset_sample_2& to, double error, std::vector<Offset_sample_2>& samples, int depth = 0)
-{
-  constexpr int least_depth = 2, most_depth = 20;
-  const double t = from.parameter / 2 + to.parameter / 2;
-  const Offset_sample_2 middle{offset_point(curve, distance, Exact_rational(t)), t};
-  if (depth >= most_depth || (depth >= least_depth && distance_from_middle(from.point, middle.point, to.point) <= error)) {
-    samples.push_back(to);
-    return;
-  }
-  append_offset_samples(curve, distance, from, middle, error, samples, depth + 1);
-  append_offset_samples(curve, distance, middle, to, error, samples, depth + 1);
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
@@ -103,13 +86,18 @@ inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, con
         stops.push_back(t);
     std::sort(stops.begin(), stops.end());
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    const auto between = [&](const Offset_sample_2& from, const Offset_sample_2& to) {
+      const double t = from.parameter / 2 + to.parameter / 2;
+      return Offset_sample_2{offset_point(part.curve, offset.distance(), Exact_rational(t)), t};
+    };
+    const auto is_chord = [&](const Offset_sample_2& from, const Offset_sample_2& middle, const Offset_sample_2& to) { return distance_from_middle(from.point, middle.point, to.point) <= error; };
     const auto sample_at = [&](const Exact_rational& t) { return Offset_sample_2{offset_point(part.curve, offset.distance(), t), to_nearest_double(t)}; };
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const bool begins_at_cusp = is_cusp_at(stops[i]);
       if (i == 0 || begins_at_cusp)
         result.arcs.push_back({{sample_at(stops[i])}, {begins_at_cusp, false}});
       Offset_arc_2& arc = result.arcs.back();
-      append_offset_samples(part.curve, offset.distance(), Offset_sample_2(arc.samples.back()), sample_at(stops[i + 1]), error, arc.samples);
+      append_samples(arc.samples, sample_at(stops[i + 1]), between, is_chord, {2, 20});
       arc.is_at_cusp[1] = is_cusp_at(stops[i + 1]);
     }
   }

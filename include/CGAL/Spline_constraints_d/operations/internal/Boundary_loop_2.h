@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_BOUNDARY_LOOP_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/bezier_chords.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/spline_axes.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Rational_interval.h>
@@ -40,6 +41,19 @@ struct Boundary_piece
   {
     const std::vector<Exact_rational>& w = coordinates[2].coefficients();
     return std::all_of(w.begin(), w.end(), [&](const Exact_rational& x) { return x == w.front(); });
+  }
+
+  // The corners between chords with an error at most, rounded, without the ends.
+  std::vector<std::array<double, 2>> inner_corners(double error) const
+  {
+    const auto& [x, y, w] = coordinates;
+    Rounded_bezier bezier;
+    for (std::size_t k = 0; k < w.coefficients().size(); ++k)
+      bezier.push_back({to_nearest_double(x.coefficients()[k]), to_nearest_double(y.coefficients()[k]), to_nearest_double(w.coefficients()[k])});
+    std::vector<std::array<double, 2>> result;
+    append_chords(result, std::move(bezier), error);
+    result.pop_back();
+    return result;
   }
 
   Boundary_piece reversed() const

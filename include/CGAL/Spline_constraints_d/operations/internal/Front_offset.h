@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FRONT_OFFSET_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 
 #include <CGAL/number_utils.h>
 
@@ -50,17 +51,14 @@ public:
     return x.point_derivative + (m_radius / CGAL::sqrt(square)) * (x.normal_derivative - along * x.normal);
   }
 
-  // Appends the parameters between two, and the second one, so that the offset is no farther than an error from the lines of the chords.
-  void append_stops(double from, double to, double error, std::vector<double>& stops, int depth = 0) const
+  // Parameters from one to another one, so that the offset is no farther than an error from the lines of the chords.
+  std::vector<double> stops(double begin, double end, double error) const
   {
-    constexpr int most_depth = 24;
-    if (depth >= most_depth || height({(std::min)(from, to), (std::max)(from, to)}) <= error) {
-      stops.push_back(to);
-      return;
-    }
-    const double middle = from / 2 + to / 2;
-    append_stops(from, middle, error, stops, depth + 1);
-    append_stops(middle, to, error, stops, depth + 1);
+    const auto between = [](double from, double to) { return from / 2 + to / 2; };
+    const auto is_chord = [&](double from, double, double to) { return height({(std::min)(from, to), (std::max)(from, to)}) <= error; };
+    std::vector<double> result{begin};
+    append_samples(result, end, between, is_chord, {0, 24});
+    return result;
   }
 
   // The angle by which the direction from a point to the offset turns; nothing if the offset passes the point too closely to tell.

@@ -51,7 +51,7 @@ class Region_elements_2
   std::vector<Region_element> m_elements;
 
 public:
-  //! \throws Invalid_input when a derivative is zero, or the boundary turns back.
+  //! \throws Invalid_input when a derivative is zero, or the boundary turns back, other than on itself.
   explicit Region_elements_2(const std::vector<Boundary_loop_2>& loops) : m_loops(loops)
   {
     for (const Boundary_loop_2& loop : loops)
@@ -132,16 +132,26 @@ private:
     return d;
   }
 
+  // In an end of a curve of which both sides are boundaries, the directions are those of a half-turn to the left. A cusp of a region may turn to either side.
   void add_corner(std::size_t before, std::size_t after)
   {
     const Exact_pair d0 = direction(before, 1), d1 = direction(after, 0);
     const int turn = sign_of(exact_cross(d0, d1));
-    if (turn == 0 && sign_of(exact_dot(d0, d1)) < 0)
+    const bool turns_back = turn == 0 && sign_of(exact_dot(d0, d1)) < 0;
+    if (turns_back && !is_other_side(before, after))
       throw Invalid_input("the boundary turns back at the end of curve " + std::to_string(origin(before, 1).first));
-    if (turn > 0)
+    if (turn > 0 || turns_back)
       add_fan(before, d0, d1);
     else if (turn < 0)
       add({Turn::RIGHT, true, before, {1, 1}, {d0, d1}, {}});
+  }
+
+  // Whether an arc is another one in the opposite direction.
+  bool is_other_side(std::size_t arc, std::size_t other) const
+  {
+    const auto& [curve, ends] = m_origins[arc];
+    const auto& [other_curve, other_ends] = m_origins[other];
+    return curve == other_curve && ends[0] == other_ends[1] && ends[1] == other_ends[0];
   }
 
   static bool goes_on_as(const Region_element& a, const Region_element& b)
@@ -159,7 +169,7 @@ private:
     add_fan(arc, between, d1);
   }
 
-  // A direction near the bisector of an angle between 45 and 180 degrees to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.
+  // A direction near the bisector of an angle above 45 degrees, and up to 180 degrees, to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.
   static Exact_pair direction_between(const Exact_pair& d0, const Exact_pair& d1)
   {
     const auto unit = [](const Exact_pair& d) {

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What a broad nib writes: all that a region covers when it is moved along a curve.
+//
+// Writes swept_area.svg, and swept_area.wkt, with the area as well-known text. Exit status: 0 when nothing is undecided, 3 when something is.
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_WKT.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Point = K::Point_2;
+
+int main()
+{
+  const auto nib = SC::polyline_curve(std::vector<Point>{{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}, {-0.75, -0.5}});
+  const SC::Bspline_curve_2<K> path(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, {{9, 6}, {7, 2}, {3, -1}, {-1, 3}, {3, 8}, {6, 1}, {9, 0.5}});
+  const auto area = SC::swept_area(SC::planar_region(nib), path);
+
+  const auto polygons = area.polygons_with_holes(2e-3);
+  std::ofstream text("swept_area.wkt");
+  SC::IO::write_WKT(text, polygons);
+  std::ofstream file("swept_area.svg");
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-0.5, -0.5, 10, 7), 600);
+  for (const auto& polygon : polygons) {
+    picture.polygon(std::vector<Point>(polygon.outer_boundary().begin(), polygon.outer_boundary().end()), "#dbe9f6");
+    for (const auto& hole : polygon.holes())
+      picture.polygon(std::vector<Point>(hole.begin(), hole.end()), "white");
+  }
+  for (double t = 0; t <= 4; t += 0.25)
+    picture.curve(nib.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, path(t) - CGAL::ORIGIN)), "#888", 1);
+  for (std::size_t i = 0; i < area.boundaries().size(); ++i)
+    for (std::size_t k = 0; k < area.boundaries()[i].arcs.size(); ++k) {
+      std::vector<Point> points;
+      for (const auto& sample : area.polyline(i, k, 2e-3))
+        points.push_back(sample.point);
+      picture.curve(SC::polyline_curve(points), "#d62728", 2.5);
+    }
+  picture.curve(path, "black", 2);
+
+  for (const auto& boundary : area.boundaries())
+    std::cout << (boundary.is_hole ? "a hole of " : "an outer boundary of ") << boundary.arcs.size() << " arcs\n";
+  std::cout << "complete: " << (area.is_complete() ? "yes" : "no") << '\n';
+  return area.is_complete() ? 0 : 3;
+}

@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Swept areas: of squares and a disk in closed form; of a star along cubics, sums of points are inside, and what no point of the star passes is outside.
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using P = K::Point_2;
+using Curve = SC::Bspline_curve_2<K>;
+using Sum = SC::Minkowski_sum_2<K>;
+
+Curve segment(const P& p, const P& q) { return SC::segment_curve(p, q); }
+Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
+Curve circle(double radius) { return SC::ellipse_curve(P(0, 0), K::Vector_2(radius, 0), K::Vector_2(0, radius)); }
+SC::Planar_region_2<K> disk(double radius) { return SC::planar_region(circle(radius)); }
+SC::Planar_region_2<K> unit_square() { return SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0)})); }
+
+double area(const Sum& sum, double error = 1e-6)
+{
+  double result = 0;
+  for (const auto& polygon : sum.polygons_with_holes(error)) {
+    result += polygon.outer_boundary().area();
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      result += hole->area();
+  }
+  return result;
+}
+
+void expect_area(const Sum& sum, double expected, std::size_t boundaries)
+{
+  EXPECT_TRUE(sum.is_complete());
+  EXPECT_EQ(sum.boundaries().size(), boundaries);
+  EXPECT_NEAR(area(sum), expected, 1e-4 * expected);
+}
+
+TEST(SweptAreas, OfRegionsAlongSegments)
+{
+  expect_area(SC::swept_area(unit_square(), segment(P(0, 0), P(3, 0))), 4, 1);
+  expect_area(SC::swept_area(unit_square(), segment(P(0, 0), P(2, 1))), 4, 1);
+  expect_area(SC::swept_area(disk(1), segment(P(1, 1), P(4, 5))), CGAL_PI + 10, 1);
+}
+
+// Within the ring the disks around the corners of the square, reflected, overlap.
+TEST(SweptAreas, AlongACircle)
+{
+  const double r = 5, last = std::sqrt(r * r - 0.25);
+  const auto integral = [&](double t) { return t / 2 * std::sqrt(r * r - t * t) + r * r / 2 * std::asin(t / r) - t / 2; };
+  const Sum ring = SC::swept_area(unit_square(), circle(r));
+  expect_area(ring, CGAL_PI * r * r + 4 * r + 1 - 4 * (integral(last) - integral(0.5)), 2);
+  EXPECT_EQ(ring.boundaries()[0].is_hole + ring.boundaries()[1].is_hole, 1);
+  EXPECT_TRUE(CGAL::certainly(ring.has_in_interior(P(0, 5.5))));
+  EXPECT_TRUE(CGAL::certainly_not(ring.has_in_interior(P(0, 0))));
+}
+
+// Along a closed path, which leaves a hole, and around the corner of an open one, where two hexagons overlap in the square and a triangle.
+TEST(SweptAreas, AlongPolylines)
+{
+  const double outer = 8 + 4 + 4 + 1;   // of the sum with all that is inside of the path: its area, width and height, and the square
+  expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(2, 0), P(4, 2), P(2, 4), P(0, 2), P(2, 0)})), outer - 2, 2);
+  expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(0, 0), P(3, 1), P(1, 4)})), 5 + 6 - 1 - 3 / 11.0, 1);
+}
+
+std::vector<P> random_points(std::mt19937& random, std::size_t number)
+{
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  std::vector<P> result;
+  for (std::size_t i = 0; i < number; ++i)
+    result.emplace_back(coordinate(random), coordinate(random));
+  return result;
+}
+
+CGAL::Polygon_2<K> star(double scale)
+{
+  const std::vector<P> points{P(-scale, -scale), P(scale, -0.75 * scale), P(0.25 * scale, scale), P(0, 0.125 * scale)};
+  return {points.begin(), points.end()};
+}
+
+TEST(SweptAreas, AlongCubics)
+{
+  std::mt19937 random(2);
+  int inside = 0, outside = 0;
+  for (int run = 0; run < 4; ++run) {
+    const Curve path = bezier(random_points(random, 4));
+    const Sum sum = SC::swept_area(SC::planar_region(star(1)), path);
+    EXPECT_TRUE(sum.is_complete());
+    const auto polygons = sum.polygons_with_holes(1e-4);
+    std::vector<P> steps;
+    for (int i = 0; i <= 300; ++i)
+      steps.push_back(path(i / 300.0));
+    for (const P& p : random_points(random, 50)) {
+      const auto is_passed_by = [&](const CGAL::Polygon_2<K>& polygon) {
+        return std::any_of(steps.begin(), steps.end(), [&](const P& q) { return polygon.bounded_side(CGAL::ORIGIN + (p - q)) == CGAL::ON_BOUNDED_SIDE; });
+      };
+      const bool is_inside = is_passed_by(star(1));
+      if (!is_inside && is_passed_by(star(1.1)))
+        continue;   // near the boundary
+      const bool is_in_polygons = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) {
+        return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE && std::all_of(polygon.holes_begin(), polygon.holes_end(), [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
+      });
+      EXPECT_EQ(is_in_polygons, is_inside);
+      EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(p) == is_inside));
+      ++(is_inside ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(outside, 20);
+}
+
+TEST(SweptAreas, BadInput)
+{
+  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(0, 0)})), SC::Invalid_input);
+  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(1, 1), P(0, 0)})), SC::Invalid_input);   // turns back
+}
+
+} // namespace
