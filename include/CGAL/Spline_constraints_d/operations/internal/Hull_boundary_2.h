@@ -1,0 +1,385 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_BOUNDARY_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_BOUNDARY_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/operations/Hull_edge_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Hull_contacts_2.h>
+
+#include <CGAL/convex_hull_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The convex hull of pieces of curves and points, by polygons in it that grow. All numbers are exact.
+
+The polygon is the hull of the ends of pieces. A piece with all control points in the polygon is in the hull anyway. A vertex is *supported* if a line through it has all on its left: a point of the boundary of the hull. Between two
+supported vertices that follow each other, the boundary is a chain of pieces if these are convex and all others are in the polygon; or part of a chain, a segment that touches it, and part of another chain, if two convex chains are
+not and are in order in all directions between those of the two lines. Otherwise the pieces that are not in the polygon there are halved.
+*/
+class Hull_boundary_2
+{
+public:
+  using Chain = std::vector<Hull_piece_2>;
+
+private:
+  static constexpr int halvings_before_contacts = 12, most_halvings = 64;
+  static constexpr std::size_t most_pieces = 100;   // of one part of the boundary
+
+  using Edges = std::vector<Hull_edge_2>;
+
+  // The vertices of the polygon from one that is supported to the next one, with indices that may go around, and the pieces that are not in the polygon there.
+  struct Part
+  {
+    std::size_t first, last;
+    std::vector<std::size_t> pieces;
+  };
+
+  Hull_contacts_2 m_contacts;
+  std::vector<Hull_piece_2> m_pieces;
+  std::map<Exact_pair, Hull_vertex_2> m_points;           // whose hull is the polygon
+  std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
+  std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
+  std::vector<std::vector<std::size_t>> m_beyond;      // the pieces on the right of the edge from each vertex
+  std::map<Exact_pair, Exact_pair> m_supports;         // normals of lines through vertices with all on the other side
+  std::map<std::array<Exact_pair, 2>, Edges> m_parts;  // of the boundary, between supported vertices
+  Edges m_edges;
+
+public:
+  Hull_boundary_2(const std::vector<Chain>& curves, std::map<Exact_pair, Hull_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
+  {
+    for (const Chain& curve : curves)
+      for (const Hull_piece_2& piece : curve)
+        if (std::none_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || piece.reversed().is_same(other); }))
+          add(piece);
+    do {
+      make_polygon();
+      drop_pieces_in_polygon();
+      find_supports();
+    } while (make_edges());
+  }
+
+  const Edges& edges() const { return m_edges; }
+  const std::vector<Exact_pair>& polygon() const { return m_polygon; }
+  const Summary& work() const { return m_contacts.work(); }
+
+private:
+  void add(Hull_piece_2 piece)
+  {
+    const Boundary_piece& curve = piece.curve();
+    for (std::size_t k = 0; k < 2; ++k)
+      m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Hull_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
+    m_pieces.push_back(std::move(piece));
+  }
+
+  const Exact_pair& vertex(std::size_t i) const { return m_polygon[i % m_polygon.size()]; }
+
+  static Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
+
+  void make_polygon()
+  {
+    using Point = Exact_kernel::Point_2;
+    std::vector<Point> points, hull;
+    for (const auto& [point, place] : m_points)
+      if (m_covered.count(point) == 0)
+        points.emplace_back(point[0], point[1]);
+    CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+    m_polygon.clear();
+    std::map<Exact_pair, Hull_vertex_2> vertices;
+    for (const Point& p : hull) {
+      m_polygon.push_back({p.x(), p.y()});
+      vertices.insert(*m_points.find(m_polygon.back()));
+    }
+    m_points = std::move(vertices);
+  }
+
+  // Whether a point is on the right of an edge of the polygon; or next to it on the same line, where the polygon is a segment or a point.
+  bool is_beyond(std::size_t edge, const Exact_pair& point) const
+  {
+    const Exact_pair side = difference(vertex(edge + 1), vertex(edge)), arm = difference(point, vertex(edge));
+    const int turn = sign_of(exact_cross(side, arm));
+    if (turn != 0 || m_polygon.size() > 2)
+      return turn < 0;
+    const Exact_rational along = exact_dot(side, arm);
+    return m_polygon.size() == 1 ? point != vertex(0) : along < 0 || along > exact_dot(side, side);
+  }
+
+  void drop_pieces_in_polygon()
+  {
+    std::vector<Hull_piece_2> rest;
+    m_beyond.assign(m_polygon.size(), {});
+    for (Hull_piece_2& piece : m_pieces) {
+      bool is_inside = true;
+      for (std::size_t edge = 0; edge < m_polygon.size(); ++edge)
+        if (std::any_of(piece.points().begin(), piece.points().end(), [&](const Exact_pair& point) { return is_beyond(edge, point); })) {
+          m_beyond[edge].push_back(rest.size());
+          is_inside = false;
+        }
+      if (!is_inside)
+        rest.push_back(std::move(piece));
+    }
+    m_pieces = std::move(rest);
+  }
+
+  void find_supports()
+  {
+    for (std::size_t i = 0; i < m_polygon.size(); ++i)
+      if (m_supports.count(vertex(i)) == 0)
+        for (const Exact_pair& normal : possible_normals(i))
+          if (is_support(i, normal)) {
+            m_supports[vertex(i)] = normal;
+            break;
+          }
+  }
+
+  // Normals of the tangents of pieces at a vertex, and one between those of its edges.
+  std::vector<Exact_pair> possible_normals(std::size_t i) const
+  {
+    const Exact_pair &point = vertex(i), before = difference(point, vertex(i + m_polygon.size() - 1)), after = difference(vertex(i + 1), point);
+    std::vector<Exact_pair> result;
+    for (const Hull_piece_2& piece : m_pieces) {
+      const std::vector<Exact_pair>& points = piece.points();
+      for (const auto& [end, next] : {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
+        if (end == point) {
+          result.push_back(normal_on_the_right(difference(next, point)));
+          result.push_back(normal_on_the_right(difference(point, next)));
+        }
+    }
+    const Exact_pair outward = difference(before, after);
+    result.push_back(m_polygon.size() > 2 ? normal_on_the_right({Exact_rational(before[0] + after[0]), Exact_rational(before[1] + after[1])}) : outward);
+    return result;
+  }
+
+  bool is_support(std::size_t i, const Exact_pair& normal) const
+  {
+    if (normal == Exact_pair{0, 0})
+      return m_pieces.empty();
+    const auto is_not_above = [&](const Exact_pair& point) { return exact_dot(difference(point, vertex(i)), normal) <= 0; };
+    return is_not_above(vertex(i + 1)) && is_not_above(vertex(i + m_polygon.size() - 1)) &&
+           std::all_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& piece) { return std::all_of(piece.points().begin(), piece.points().end(), is_not_above); });
+  }
+
+  // The edges between supported vertices; false when they are final, true when pieces were halved or dropped.
+  bool make_edges()
+  {
+    m_edges.clear();
+    std::set<std::size_t> to_halve, to_drop;
+    const std::size_t covered = m_covered.size();
+    for (const Part& part : parts()) {
+      const std::array<Exact_pair, 2> ends{vertex(part.first), vertex(part.last)};
+      auto known = m_parts.find(ends);
+      if (known == m_parts.end())
+        if (std::optional<Edges> edges = edges_of(part))
+          known = m_parts.emplace(ends, std::move(*edges)).first;
+      if (known != m_parts.end())
+        m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
+      else {
+        append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
+        if (!drop_touching_pieces(part, to_drop) && !m_contacts.is_exhausted() && part.pieces.size() <= most_pieces)
+          std::copy_if(part.pieces.begin(), part.pieces.end(), std::inserter(to_halve, to_halve.end()), [&](std::size_t i) { return m_pieces[i].halvings() < most_halvings; });
+      }
+    }
+    if (to_halve.empty() && to_drop.empty() && covered == m_covered.size())
+      return false;
+    std::vector<Hull_piece_2> pieces = std::move(m_pieces);
+    m_pieces.clear();
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (to_drop.count(i) > 0)
+        continue;
+      else if (to_halve.count(i) == 0)
+        m_pieces.push_back(std::move(pieces[i]));
+      else
+        for (Hull_piece_2& half : pieces[i].halves())
+          add(std::move(half));
+    return true;
+  }
+
+  std::vector<Part> parts() const
+  {
+    std::vector<std::size_t> supported;
+    for (std::size_t i = 0; i < m_polygon.size(); ++i)
+      if (m_supports.count(vertex(i)) > 0)
+        supported.push_back(i);
+    if (supported.empty())
+      supported.push_back(0);
+    std::vector<Part> result;
+    for (std::size_t i = 0; i < supported.size(); ++i) {
+      Part part{supported[i], i + 1 < supported.size() ? supported[i + 1] : supported[0] + m_polygon.size(), {}};
+      std::set<std::size_t> pieces;
+      for (std::size_t edge = part.first; edge < part.last; ++edge)
+        pieces.insert(m_beyond[edge % m_polygon.size()].begin(), m_beyond[edge % m_polygon.size()].end());
+      part.pieces.assign(pieces.begin(), pieces.end());
+      result.push_back(std::move(part));
+    }
+    return result;
+  }
+
+  void append_segments(const Part& part, Hull_edge_kind kind, Edges& edges) const
+  {
+    for (std::size_t i = part.first; i < part.last; ++i)
+      edges.push_back({kind, m_points.at(vertex(i)), m_points.at(vertex(i + 1))});
+  }
+
+  std::optional<Edges> edges_of(const Part& part)
+  {
+    Edges result;
+    if (part.pieces.empty()) {
+      append_segments(part, Hull_edge_kind::SEGMENT, result);
+      return result;
+    }
+    std::vector<std::size_t> rest = part.pieces;
+    const Chain first = chain_from(vertex(part.first), rest);
+    if (rest.empty() && !first.empty() && first.back().end() == vertex(part.last)) {
+      if (!is_convex(first) || !has_vertices(part, first, {}))
+        return std::nullopt;
+      append_arcs(first, result);
+      return result;
+    }
+    const Chain second = reversed(chain_from(vertex(part.last), rest));
+    if (!rest.empty() || !is_convex(first) || !is_convex(second) || !has_vertices(part, first, second) || !are_in_order(part, first, second))
+      return std::nullopt;
+    return edges_with_segment(part, first, second);
+  }
+
+  // The pieces that follow each other from a point on, taken out of a list.
+  Chain chain_from(Exact_pair point, std::vector<std::size_t>& pieces) const
+  {
+    Chain result;
+    for (auto i = pieces.begin(); i != pieces.end();) {
+      const Hull_piece_2& piece = m_pieces[*i];
+      if (piece.begin() == point || piece.end() == point) {
+        result.push_back(piece.begin() == point ? piece : piece.reversed());
+        point = result.back().end();
+        pieces.erase(i);
+        i = pieces.begin();
+      } else
+        ++i;
+    }
+    return result;
+  }
+
+  static Chain reversed(const Chain& chain)
+  {
+    Chain result;
+    for (auto piece = chain.rbegin(); piece != chain.rend(); ++piece)
+      result.push_back(piece->reversed());
+    return result;
+  }
+
+  // Whether the control points turn left all along, by less than a right angle: then the pieces are convex.
+  static bool is_convex(const Chain& chain)
+  {
+    std::vector<Exact_pair> sides;
+    for (const Hull_piece_2& piece : chain)
+      for (std::size_t i = 0; i + 1 < piece.points().size(); ++i) {
+        sides.push_back(difference(piece.points()[i + 1], piece.points()[i]));
+        const auto turns_left_from = [&](const Exact_pair& side) { return exact_cross(side, sides.back()) >= 0 && exact_dot(side, sides.back()) > 0; };
+        if (!turns_left_from(sides.front()) || (sides.size() > 1 && !turns_left_from(sides[sides.size() - 2])))
+          return false;
+      }
+    return true;
+  }
+
+  // Whether all vertices of the polygon in a part are ends of pieces of chains.
+  bool has_vertices(const Part& part, const Chain& first, const Chain& second) const
+  {
+    for (std::size_t i = part.first + 1; i < part.last; ++i) {
+      const auto has_end = [&](const Hull_piece_2& piece) { return piece.begin() == vertex(i) || piece.end() == vertex(i); };
+      if (std::none_of(first.begin(), first.end(), has_end) && std::none_of(second.begin(), second.end(), has_end))
+        return false;
+    }
+    return true;
+  }
+
+  // Whether all points of the second chain are further than those of the first one along all lines with directions between the two supporting ones: then there is exactly one at which the higher chain changes.
+  bool are_in_order(const Part& part, const Chain& first, const Chain& second) const
+  {
+    const Exact_pair &before = m_supports.at(vertex(part.first)), &after = m_supports.at(vertex(part.last));
+    return sign_of(exact_cross(before, after)) > 0 && are_in_order(points_of(first, vertex(part.first)), points_of(second, vertex(part.last)), before) &&
+           are_in_order(points_of(first, vertex(part.first)), points_of(second, vertex(part.last)), after);
+  }
+
+  static bool are_in_order(const std::vector<Exact_pair>& first, const std::vector<Exact_pair>& second, const Exact_pair& normal)
+  {
+    const auto is_less = [&](const Exact_pair& a, const Exact_pair& b) { return exact_cross(normal, difference(b, a)) > 0; };
+    return is_less(*std::max_element(first.begin(), first.end(), is_less), *std::min_element(second.begin(), second.end(), is_less));
+  }
+
+  static std::vector<Exact_pair> points_of(const Chain& chain, const Exact_pair& end)
+  {
+    std::vector<Exact_pair> result{end};
+    for (const Hull_piece_2& piece : chain)
+      result.insert(result.end(), piece.points().begin(), piece.points().end());
+    return result;
+  }
+
+  // Arcs up to the contact of the common tangent with the first chain, and from that with the second one on. A chain without pieces is a point.
+  std::optional<Edges> edges_with_segment(const Part& part, const Chain& first, const Chain& second)
+  {
+    for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
+      for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
+        if (const auto contacts = m_contacts.common_tangent({a, b})) {
+          const Hull_vertex_2 source = a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
+          const Hull_vertex_2 target = b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
+          Edges result;
+          if (a.piece != nullptr) {
+            append_arcs({first.data(), a.piece}, result);
+            result.push_back({Hull_edge_kind::ARC, vertex_on(*a.piece, {0, 0}), source});
+          }
+          result.push_back({Hull_edge_kind::SEGMENT, source, target});
+          if (b.piece != nullptr) {
+            result.push_back({Hull_edge_kind::ARC, target, vertex_on(*b.piece, {1, 1})});
+            append_arcs({b.piece + 1, second.data() + second.size()}, result);
+          }
+          return result;
+        }
+    return std::nullopt;
+  }
+
+  static std::vector<Hull_contact_operand> operands(const Chain& chain, const Exact_pair& point)
+  {
+    if (chain.empty())
+      return {{nullptr, point}};
+    std::vector<Hull_contact_operand> result;
+    for (const Hull_piece_2& piece : chain)
+      result.push_back({&piece, {}});
+    return result;
+  }
+
+  static Hull_vertex_2 vertex_on(const Hull_piece_2& piece, const Parameter_range& local)
+  {
+    const auto& [begin, end] = piece.curve().parameters;
+    const Exact_rational first(begin + local.first * (end - begin)), second(begin + local.second * (end - begin));
+    return {piece.curve().curve, std::minmax(first, second)};
+  }
+
+  static void append_arcs(std::span<const Hull_piece_2> pieces, Edges& edges)
+  {
+    for (const Hull_piece_2& piece : pieces)
+      edges.push_back({Hull_edge_kind::ARC, vertex_on(piece, {0, 0}), vertex_on(piece, {1, 1})});
+  }
+
+  // Drops what touches the boundary but is proved not to be part of it; whether there was any.
+  bool drop_touching_pieces(const Part&, std::set<std::size_t>&) { return false; }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_BOUNDARY_2_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_PIECE_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_PIECE_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+inline Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
+
+inline std::array<Boundary_piece, 2> halves(const Boundary_piece& piece)
+{
+  std::array<Boundary_piece, 2> result{piece, piece};
+  for (std::size_t k = 0; k < 3; ++k)
+    std::tie(result[0].coordinates[k], result[1].coordinates[k]) = piece.coordinates[k].split(0);
+  result[0].parameters[1] = result[1].parameters[0] = Exact_rational((piece.parameters[0] + piece.parameters[1]) / 2);
+  return result;
+}
+
+// A piece of a curve whose weights are positive, so that it lies in the convex hull of its control points.
+class Hull_piece_2
+{
+  Boundary_piece m_curve;
+  int m_halvings;
+  std::vector<Exact_pair> m_points;
+
+public:
+  explicit Hull_piece_2(Boundary_piece curve, int halvings = 0) : m_curve(std::move(curve)), m_halvings(halvings)
+  {
+    const auto& [x, y, w] = m_curve.coordinates;
+    for (std::size_t i = 0; i < w.coefficients().size(); ++i) {
+      Exact_pair point{Exact_rational(x.coefficients()[i] / w.coefficients()[i]), Exact_rational(y.coefficients()[i] / w.coefficients()[i])};
+      if (m_points.empty() || point != m_points.back())
+        m_points.push_back(std::move(point));
+    }
+  }
+
+  const Boundary_piece& curve() const { return m_curve; }
+  int halvings() const { return m_halvings; }
+
+  // The control points, each different from the one before.
+  const std::vector<Exact_pair>& points() const { return m_points; }
+  const Exact_pair& begin() const { return m_points.front(); }
+  const Exact_pair& end() const { return m_points.back(); }
+
+  bool is_same(const Hull_piece_2& other) const { return m_points == other.m_points && m_curve.coordinates == other.m_curve.coordinates; }
+
+  Hull_piece_2 reversed() const { return Hull_piece_2(m_curve.reversed(), m_halvings); }
+
+  std::array<Hull_piece_2, 2> halves() const
+  {
+    auto [first, second] = internal::halves(m_curve);
+    return {Hull_piece_2(std::move(first), m_halvings + 1), Hull_piece_2(std::move(second), m_halvings + 1)};
+  }
+};
+
+// Cut until all weights are positive, as the weight of a curve is.
+inline void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_piece_2>& pieces)
+{
+  if (piece.coordinates[2].bounds().first > 0)
+    pieces.emplace_back(piece);
+  else
+    for (const Boundary_piece& half : halves(piece))
+      append_hull_pieces(half, pieces);
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_PIECE_2_H
