@@ -38,8 +38,8 @@ public:
   using Chain = std::vector<Hull_piece_2>;
 
 private:
-  static constexpr int halvings_before_contacts = 12, most_halvings = 64;
-  static constexpr std::size_t most_pieces = 100;   // of one part of the boundary
+  static constexpr int halvings_between_proofs = 6, most_halvings = 64;
+  static constexpr std::size_t most_pieces = 200;   // of a part of the boundary that halving does not help to decide
 
   using Edges = std::vector<Hull_edge_2>;
 
@@ -50,13 +50,16 @@ private:
     std::vector<std::size_t> pieces;
   };
 
+  // Of lines through one point, the second one not before the first one counterclockwise.
+  using Normals = std::array<Exact_pair, 2>;
+
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
   std::map<Exact_pair, Hull_vertex_2> m_points;           // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
   std::vector<std::vector<std::size_t>> m_beyond;      // the pieces on the right of the edge from each vertex
-  std::map<Exact_pair, Exact_pair> m_supports;         // normals of lines through vertices with all on the other side
+  std::map<Exact_pair, Normals> m_supports;            // normals of lines through vertices with all on the other side
   std::map<std::array<Exact_pair, 2>, Edges> m_parts;  // of the boundary, between supported vertices
   Edges m_edges;
 
@@ -89,7 +92,15 @@ private:
 
   const Exact_pair& vertex(std::size_t i) const { return m_polygon[i % m_polygon.size()]; }
 
+  static Exact_pair sum(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])}; }
   static Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
+
+  // Of length one where that is the sum of the coordinates without signs.
+  static Exact_pair scaled(const Exact_pair& v)
+  {
+    const Exact_rational length = CGAL::abs(v[0]) + CGAL::abs(v[1]);
+    return length == 0 ? v : Exact_pair{Exact_rational(v[0] / length), Exact_rational(v[1] / length)};
+  }
 
   void make_polygon()
   {
@@ -136,18 +147,21 @@ private:
     m_pieces = std::move(rest);
   }
 
+  // All normals between two that are found are as good; the first and the last one are kept.
   void find_supports()
   {
     for (std::size_t i = 0; i < m_polygon.size(); ++i)
-      if (m_supports.count(vertex(i)) == 0)
-        for (const Exact_pair& normal : possible_normals(i))
-          if (is_support(i, normal)) {
-            m_supports[vertex(i)] = normal;
-            break;
-          }
+      for (const Exact_pair& normal : possible_normals(i))
+        if (is_support(i, normal)) {
+          auto& [first, last] = m_supports.try_emplace(vertex(i), Normals{normal, normal}).first->second;
+          if (exact_cross(normal, first) > 0)
+            first = normal;
+          if (exact_cross(last, normal) > 0)
+            last = normal;
+        }
   }
 
-  // Normals of the tangents of pieces at a vertex, and one between those of its edges.
+  // Normals of the tangents of pieces at a vertex, and two between those of its edges: one is good at flat vertices, and the other one at acute ones.
   std::vector<Exact_pair> possible_normals(std::size_t i) const
   {
     const Exact_pair &point = vertex(i), before = difference(point, vertex(i + m_polygon.size() - 1)), after = difference(vertex(i + 1), point);
@@ -160,8 +174,9 @@ private:
           result.push_back(normal_on_the_right(difference(point, next)));
         }
     }
-    const Exact_pair outward = difference(before, after);
-    result.push_back(m_polygon.size() > 2 ? normal_on_the_right({Exact_rational(before[0] + after[0]), Exact_rational(before[1] + after[1])}) : outward);
+    const Exact_pair along = sum(scaled(before), scaled(after)), outward = difference(scaled(before), scaled(after));
+    result.push_back(normal_on_the_right(along));
+    result.push_back(outward);
     return result;
   }
 
@@ -190,7 +205,7 @@ private:
         m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
       else {
         append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!drop_touching_pieces(part, to_drop) && !m_contacts.is_exhausted() && part.pieces.size() <= most_pieces)
+        if (!leave_out_what_touches(part, to_drop) && !m_contacts.is_exhausted() && is_small(part))
           std::copy_if(part.pieces.begin(), part.pieces.end(), std::inserter(to_halve, to_halve.end()), [&](std::size_t i) { return m_pieces[i].halvings() < most_halvings; });
       }
     }
@@ -298,20 +313,23 @@ private:
   // Whether all vertices of the polygon in a part are ends of pieces of chains.
   bool has_vertices(const Part& part, const Chain& first, const Chain& second) const
   {
-    for (std::size_t i = part.first + 1; i < part.last; ++i) {
-      const auto has_end = [&](const Hull_piece_2& piece) { return piece.begin() == vertex(i) || piece.end() == vertex(i); };
-      if (std::none_of(first.begin(), first.end(), has_end) && std::none_of(second.begin(), second.end(), has_end))
+    for (std::size_t i = part.first + 1; i < part.last; ++i)
+      if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)))
         return false;
-    }
     return true;
+  }
+
+  static bool has_end(const Chain& chain, const Exact_pair& point)
+  {
+    return std::any_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) { return piece.begin() == point || piece.end() == point; });
   }
 
   // Whether all points of the second chain are further than those of the first one along all lines with directions between the two supporting ones: then there is exactly one at which the higher chain changes.
   bool are_in_order(const Part& part, const Chain& first, const Chain& second) const
   {
-    const Exact_pair &before = m_supports.at(vertex(part.first)), &after = m_supports.at(vertex(part.last));
-    return sign_of(exact_cross(before, after)) > 0 && are_in_order(points_of(first, vertex(part.first)), points_of(second, vertex(part.last)), before) &&
-           are_in_order(points_of(first, vertex(part.first)), points_of(second, vertex(part.last)), after);
+    const Exact_pair &before = m_supports.at(vertex(part.first))[1], &after = m_supports.at(vertex(part.last))[0];
+    const std::vector<Exact_pair> a = points_of(first, vertex(part.first)), b = points_of(second, vertex(part.last));
+    return exact_cross(before, after) > 0 && are_in_order(a, b, before) && are_in_order(a, b, after);
   }
 
   static bool are_in_order(const std::vector<Exact_pair>& first, const std::vector<Exact_pair>& second, const Exact_pair& normal)
@@ -320,15 +338,16 @@ private:
     return is_less(*std::max_element(first.begin(), first.end(), is_less), *std::min_element(second.begin(), second.end(), is_less));
   }
 
-  static std::vector<Exact_pair> points_of(const Chain& chain, const Exact_pair& end)
+  // A chain without pieces is a point.
+  static std::vector<Exact_pair> points_of(const Chain& chain, const Exact_pair& point)
   {
-    std::vector<Exact_pair> result{end};
+    std::vector<Exact_pair> result;
     for (const Hull_piece_2& piece : chain)
       result.insert(result.end(), piece.points().begin(), piece.points().end());
-    return result;
+    return chain.empty() ? std::vector<Exact_pair>{point} : result;
   }
 
-  // Arcs up to the contact of the common tangent with the first chain, and from that with the second one on. A chain without pieces is a point.
+  // Arcs up to the contact of the common tangent with the first chain, and from that with the second one on.
   std::optional<Edges> edges_with_segment(const Part& part, const Chain& first, const Chain& second)
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
@@ -374,8 +393,107 @@ private:
       edges.push_back({Hull_edge_kind::ARC, vertex_on(piece, {0, 0}), vertex_on(piece, {1, 1})});
   }
 
-  // Drops what touches the boundary but is proved not to be part of it; whether there was any.
-  bool drop_touching_pieces(const Part&, std::set<std::size_t>&) { return false; }
+  /*
+  Where halving does not help: what touches the boundary from within is proved to, and left out. Whether there was anything.
+  */
+  bool leave_out_what_touches(const Part& part, std::set<std::size_t>& dropped)
+  {
+    const int halvings = least_halvings(part);
+    if (halvings == 0 || (halvings % halvings_between_proofs != 0 && is_small(part)))
+      return false;
+    return cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+  }
+
+  bool is_small(const Part& part) const { return part.pieces.size() <= most_pieces || least_halvings(part) < halvings_between_proofs; }
+
+  int least_halvings(const Part& part) const
+  {
+    int result = most_halvings;
+    for (std::size_t i : part.pieces)
+      result = (std::min)(result, m_pieces[i].halvings());
+    return result;
+  }
+
+  // Vertices that are points of a piece between vertices.
+  bool cover_points_on_pieces(const Part& part)
+  {
+    bool result = false;
+    const auto is_vertex = [&](const Exact_pair& point) { return m_points.count(point) > 0 && m_covered.count(point) == 0; };
+    for (std::size_t i = part.first + 1; i < part.last; ++i)
+      for (std::size_t k : part.pieces) {
+        const Hull_piece_2& piece = m_pieces[k];
+        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() && vertex(i) != piece.end() && m_contacts.has_point(piece, vertex(i)))
+          result |= m_covered.insert(vertex(i)).second;
+      }
+    return result;
+  }
+
+  // A piece that begins and ends in the polygon cannot get out of it behind a convex piece above one of the edges, if they have only one common point.
+  bool drop_pieces_behind_others(const Part& part, std::set<std::size_t>& dropped)
+  {
+    const std::size_t dropped_before = dropped.size();
+    for (std::size_t edge = part.first; edge < part.last; ++edge) {
+      const std::vector<std::size_t>& beyond = m_beyond[edge % m_polygon.size()];
+      const auto is_above_edge_only = [&](std::size_t i) { return is_beyond_only(i, edge, edge + 1); };
+      const auto other = std::find_if(beyond.begin(), beyond.end(), [&](std::size_t i) {
+        const Hull_piece_2& piece = m_pieces[i];
+        return is_above_edge_only(i) && ((piece.begin() == vertex(edge) && piece.end() == vertex(edge + 1) && is_convex({piece})) ||
+                                         (piece.end() == vertex(edge) && piece.begin() == vertex(edge + 1) && is_convex({piece.reversed()})));
+      });
+      if (other != beyond.end())
+        for (std::size_t i : beyond)
+          if (i != *other && is_above_edge_only(i) && begins_and_ends_behind(m_pieces[i], m_pieces[*other], edge) && m_contacts.meet_once_or_overlap(m_pieces[i], m_pieces[*other]))
+            dropped.insert(i);
+    }
+    return dropped.size() > dropped_before;
+  }
+
+  bool is_beyond_only(std::size_t piece, std::size_t first_edge, std::size_t last_edge) const
+  {
+    for (std::size_t edge = last_edge; edge < first_edge + m_polygon.size(); ++edge)
+      if (const auto& beyond = m_beyond[edge % m_polygon.size()]; std::find(beyond.begin(), beyond.end(), piece) != beyond.end())
+        return false;
+    return true;
+  }
+
+  // Ends are in the polygon, or points that are covered.
+  bool begins_and_ends_behind(const Hull_piece_2& piece, const Hull_piece_2& other, std::size_t edge) const
+  {
+    const auto is_behind = [&](const Exact_pair& end) { return !is_beyond(edge % m_polygon.size(), end) || m_contacts.has_point(other, end); };
+    return is_behind(piece.begin()) && is_behind(piece.end());
+  }
+
+  // Convex pieces, and vertices, between two chains that touch the segment that touches both of these.
+  bool leave_out_what_touches_segment(const Part& part, std::set<std::size_t>& dropped)
+  {
+    std::vector<std::size_t> rest = part.pieces;
+    const Chain first = chain_from(vertex(part.first), rest), second = reversed(chain_from(vertex(part.last), rest));
+    if (!is_convex(first) || !is_convex(second))
+      return false;
+    bool result = false;
+    for (std::size_t i : rest)
+      for (const Hull_piece_2& piece : {m_pieces[i], m_pieces[i].reversed()})
+        if (is_convex({piece}) && is_beyond_only(i, part.first, part.last) && are_in_order(part, first, {piece}) && are_in_order(part, {piece}, second) &&
+            have_common_tangent(part, first, {&piece, {}}, second)) {
+          dropped.insert(i);
+          m_covered.insert({piece.begin(), piece.end()});
+          result = true;
+        }
+    for (std::size_t i = part.first + 1; i < part.last; ++i)
+      if (!first.empty() || !second.empty())
+        if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)) && have_common_tangent(part, first, {nullptr, vertex(i)}, second))
+          result |= m_covered.insert(vertex(i)).second;
+    return result;
+  }
+
+  bool have_common_tangent(const Part& part, const Chain& first, const Hull_contact_operand& between, const Chain& second)
+  {
+    for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
+      for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
+        if (m_contacts.common_tangent({a, between, b}))
+          return true;
+    return false;
+  }
 };
 
 } // namespace internal
