@@ -352,7 +352,7 @@ private:
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
-        if (const auto contacts = m_contacts.common_tangent({a, b})) {
+        if (const auto contacts = m_contacts.common_tangent(a, b)) {
           const Hull_vertex_2 source = a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
           const Hull_vertex_2 target = b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
           Edges result;
@@ -490,7 +490,7 @@ private:
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
-        if (m_contacts.common_tangent({a, between, b}))
+        if (m_contacts.have_common_tangent(a, between, b))
           return true;
     return false;
   }

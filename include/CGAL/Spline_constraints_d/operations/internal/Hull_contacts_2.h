@@ -5,7 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_CONTACTS_2_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Hull_piece_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Rational_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/critical_values.h>
 #include <CGAL/Spline_constraints_d/operations/intersections.h>
 
 #include <algorithm>
@@ -38,40 +40,59 @@ public:
   const Summary& work() const { return m_solve.total(); }
   bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.is_out_of_time(); }
 
-  /*
-  A line from the first operand to the last one that touches all, in the direction in which pieces run: their parameters on [0,1], if there is one, and
-  all are in these ranges. Where a line touches more operands than two, there are
-  more equations than unknowns.
-  */
-  std::optional<std::vector<Parameter_range>> common_tangent(const std::vector<Hull_contact_operand>& operands)
+  // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1] of their parameters, if there is one line, which has them in these ranges.
+  std::optional<std::array<Parameter_range, 2>> common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& second)
   {
-    const std::vector<Unknown> u = unknowns(std::vector<std::array<Bound, 2>>(number_of_pieces(operands), {Bound(0), Bound(1)}));
+    const std::array<const Hull_contact_operand*, 2> operands{&first, &second};
+    std::vector<Unknown> u = unknowns(first.piece != nullptr && second.piece != nullptr ? 2 : 1, {Bound(0), Bound(1)});
     std::vector<Vector_expression<2>> points, tangents;
-    std::size_t next = 0;
-    for (const auto& [piece, point] : operands) {
-      const Unknown* parameter = piece != nullptr ? &u[next++] : nullptr;
-      const auto curve = piece != nullptr ? std::optional<Differentiated_map>(std::in_place, Planar_map(exact_curve(*piece)), 1) : std::nullopt;
-      points.push_back(curve ? (*curve)(0, *parameter) : Vector_expression<2>(point[0], point[1]));
-      tangents.push_back(curve ? (*curve)(1, *parameter) : Vector_expression<2>(0, 0));
+    for (const Hull_contact_operand* operand : operands) {
+      const Unknown& parameter = operand == &first ? u.front() : u.back();
+      if (operand->piece != nullptr) {
+        const Differentiated_map curve{Planar_map(exact_curve(*operand->piece)), 1};
+        points.push_back(curve(0, parameter));
+        tangents.push_back(curve(1, parameter));
+      } else {
+        points.emplace_back(operand->point[0], operand->point[1]);
+        tangents.emplace_back(0, 0);
+      }
     }
-    const Vector_expression<2> line = points.back() - points.front();
+    const Vector_expression<2> line = points[1] - points[0];
     std::vector<Constraint> constraints;
-    for (std::size_t i = 0; i < operands.size(); ++i) {
-      if (i > 0 && i + 1 < operands.size())
-        constraints.push_back(cross(line, points[i] - points.front()) == 0);
-      if (operands[i].piece != nullptr) {
+    for (std::size_t i = 0; i < 2; ++i)
+      if (operands[i]->piece != nullptr) {
         constraints.push_back(cross(line, tangents[i]) == 0);
         constraints.push_back(dot(line, tangents[i]) > 0);
       }
-    }
     const auto solutions = m_solve(constraints);
-    if (solutions.size() != 1 || solutions[0].kind() == Solution_kind::UNDECIDED || solutions[0].kind() == Solution_kind::CONTINUUM)
+    if (solutions.size() != 1 || !is_proved(solutions[0]))
       return std::nullopt;
-    const auto box = solutions[0].exact_box();
-    std::vector<Parameter_range> result;
-    for (const auto& [lower, upper] : box)
-      result.emplace_back((std::max)(lower, Exact_rational(0)), (std::min)(upper, Exact_rational(1)));
-    return result;
+    std::vector<Parameter_range> ranges;
+    for (const auto& [lower, upper] : solutions[0].exact_box())
+      ranges.emplace_back((std::max)(lower, Exact_rational(0)), (std::min)(upper, Exact_rational(1)));
+    return std::array<Parameter_range, 2>{ranges.front(), ranges.back()};
+  }
+
+  /*
+  Whether the line from one operand to another one that touches both also touches one between them. That is decided for lines with rational slope, as copies of a shape in a row have: the simplest direction that is possible is tried, and the
+  highest points of all three in the direction of its normal are compared exactly.
+  */
+  bool have_common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& between, const Hull_contact_operand& second)
+  {
+    const auto contacts = common_tangent(first, second);
+    if (!contacts)
+      return false;
+    const Vector_bounds<2> line = bounds(second, (*contacts)[1]) - bounds(first, (*contacts)[0]);
+    const std::size_t axis = has_zero(line[0]) || (!has_zero(line[1]) && CGAL::abs(line[0].lower) < CGAL::abs(line[1].lower)) ? 1 : 0;   // the one that the line is nearly parallel to
+    if (has_zero(line[axis]))
+      return false;
+    const int sign = sign_of(line[axis].lower);
+    const Rational_interval slope = sign > 0 ? line[1 - axis] / line[axis] : (Rational_interval(Exact_rational(0)) - line[1 - axis]) / (Rational_interval(Exact_rational(0)) - line[axis]);
+    Exact_pair direction;
+    direction[axis] = sign;
+    direction[1 - axis] = sign * simplest_rational_between(slope.lower, slope.upper);
+    const Exact_pair normal{direction[1], Exact_rational(-direction[0])};
+    return have_common_height({summit(first, normal), summit(between, normal), summit(second, normal)});
   }
 
   // Whether two pieces have one common point at most, or the first one is a part of the second one.
@@ -92,11 +113,73 @@ public:
   }
 
 private:
+  static bool is_proved(const Solution_d<double>& solution) { return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER; }
+
   static Bspline_curve_2<Exact_kernel> exact_curve(const Hull_piece_2& piece) { return Boundary_loop_2({piece.curve()}).curve(); }
 
-  static std::size_t number_of_pieces(const std::vector<Hull_contact_operand>& operands)
+  // Of the points of an operand in a range.
+  static Vector_bounds<2> bounds(const Hull_contact_operand& operand, const Parameter_range& range)
   {
-    return std::count_if(operands.begin(), operands.end(), [](const Hull_contact_operand& operand) { return operand.piece != nullptr; });
+    std::vector<Exact_pair> points{operand.point};
+    if (operand.piece != nullptr) {
+      Boundary_piece part(operand.piece->curve());
+      for (Exact_tensor& tensor : part.coordinates)
+        tensor = tensor.restricted(0, range.first, range.second);
+      points = Hull_piece_2(std::move(part)).points();
+    }
+    const auto coordinate = [](std::size_t axis) { return [axis](const Exact_pair& a, const Exact_pair& b) { return a[axis] < b[axis]; }; };
+    Vector_bounds<2> result;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), coordinate(axis));
+      result[axis] = {(*least)[axis], (*greatest)[axis]};
+    }
+    return result;
+  }
+
+  // The greatest height of an operand in a direction: a number, or the only critical value of a quotient in a range.
+  struct Summit
+  {
+    Rational_interval height;
+    std::optional<std::array<Exact_tensor, 2>> quotient;
+  };
+
+  // \pre pieces are convex and turn left, by less than a right angle
+  static Summit summit(const Hull_contact_operand& operand, const Exact_pair& normal)
+  {
+    if (operand.piece == nullptr)
+      return {Rational_interval(exact_dot(operand.point, normal)), std::nullopt};
+    const std::vector<Exact_pair>& points = operand.piece->points();
+    if (exact_dot(difference(points[1], points[0]), normal) <= 0)
+      return {Rational_interval(exact_dot(points.front(), normal)), std::nullopt};
+    if (exact_dot(difference(points.back(), points[points.size() - 2]), normal) >= 0)
+      return {Rational_interval(exact_dot(points.back(), normal)), std::nullopt};
+    Rational_interval height(exact_dot(points[0], normal));
+    for (const Exact_pair& point : points)
+      height = hull(height, Rational_interval(exact_dot(point, normal)));
+    const auto& [x, y, w] = operand.piece->curve().coordinates;
+    return {height, std::array<Exact_tensor, 2>{x * normal[0] + y * normal[1], w}};
+  }
+
+  // Whether all are proved to be the same.
+  bool have_common_height(const std::vector<Summit>& summits)
+  {
+    Rational_interval range = summits[0].height;
+    for (const Summit& summit : summits)
+      range = hull(range, summit.height);
+    const std::vector<Unknown> height = unknowns({{Bound(range.lower), Bound(range.upper)}});
+    std::vector<Constraint> all;
+    for (const auto& [value, quotient] : summits) {
+      all.push_back((quotient ? Expression(critical_value_polynomial((*quotient)[0], (*quotient)[1], height[0].numerator()), Monomial(), height[0].symbols()) : height[0] - value.lower) == 0);
+      if (all.back().function.is_zero() || !has_one_solution({all.back()}))
+        return false;
+    }
+    return has_one_solution(all);
+  }
+
+  bool has_one_solution(const std::vector<Constraint>& constraints)
+  {
+    const auto solutions = m_solve(constraints);
+    return solutions.size() == 1 && is_proved(solutions[0]);
   }
 };
 
