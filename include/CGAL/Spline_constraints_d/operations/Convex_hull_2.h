@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Hull_boundary_2.h>
 
 #include <CGAL/Polygon_2.h>
@@ -58,6 +59,7 @@ public:
   {
     if (curves.empty() && points.empty())
       throw Invalid_input("Convex_hull_2: there are neither curves nor points");
+    const Upward_rounding_guard guard;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       m_pieces.emplace_back();
       for (const internal::Boundary_piece& piece : internal::boundary_pieces(curves[i], i))

@@ -5,8 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_HULL_BOUNDARY_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
-#include <CGAL/Spline_constraints_d/operations/Hull_edge_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Hull_contacts_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Hull_chain_2.h>
 
 #include <CGAL/convex_hull_2.h>
 
@@ -17,7 +16,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,12 +32,8 @@ not and are in order in all directions between those of the two lines. Otherwise
 */
 class Hull_boundary_2
 {
-public:
-  using Chain = std::vector<Hull_piece_2>;
-
-private:
   static constexpr int halvings_between_proofs = 6, most_halvings = 64;
-  static constexpr std::size_t most_pieces = 200;   // of a part of the boundary that halving does not help to decide
+  static constexpr std::size_t most_pieces = 100;   // of a part of the boundary that halving does not help to decide
 
   using Edges = std::vector<Hull_edge_2>;
 
@@ -58,15 +52,16 @@ private:
   std::map<Exact_pair, Hull_vertex_2> m_points;           // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
+  std::vector<Interval_pair> m_boxes;                  // of its vertices
   std::vector<std::vector<std::size_t>> m_beyond;      // the pieces on the right of the edge from each vertex
   std::map<Exact_pair, Normals> m_supports;            // normals of lines through vertices with all on the other side
   std::map<std::array<Exact_pair, 2>, Edges> m_parts;  // of the boundary, between supported vertices
   Edges m_edges;
 
 public:
-  Hull_boundary_2(const std::vector<Chain>& curves, std::map<Exact_pair, Hull_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
+  Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Hull_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
   {
-    for (const Chain& curve : curves)
+    for (const Hull_chain& curve : curves)
       for (const Hull_piece_2& piece : curve)
         if (std::none_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || piece.reversed().is_same(other); }))
           add(piece);
@@ -92,16 +87,6 @@ private:
 
   const Exact_pair& vertex(std::size_t i) const { return m_polygon[i % m_polygon.size()]; }
 
-  static Exact_pair sum(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])}; }
-  static Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
-
-  // Of length one where that is the sum of the coordinates without signs.
-  static Exact_pair scaled(const Exact_pair& v)
-  {
-    const Exact_rational length = CGAL::abs(v[0]) + CGAL::abs(v[1]);
-    return length == 0 ? v : Exact_pair{Exact_rational(v[0] / length), Exact_rational(v[1] / length)};
-  }
-
   void make_polygon()
   {
     using Point = Exact_kernel::Point_2;
@@ -111,15 +96,29 @@ private:
         points.emplace_back(point[0], point[1]);
     CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
     m_polygon.clear();
+    m_boxes.clear();
     std::map<Exact_pair, Hull_vertex_2> vertices;
     for (const Point& p : hull) {
       m_polygon.push_back({p.x(), p.y()});
+      m_boxes.push_back(enclosed(m_polygon.back()));
       vertices.insert(*m_points.find(m_polygon.back()));
     }
     m_points = std::move(vertices);
   }
 
-  // Whether a point is on the right of an edge of the polygon; or next to it on the same line, where the polygon is a segment or a point.
+  // Whether a piece has control points on the right of an edge of the polygon; intervals decide that nearly always.
+  bool is_beyond(std::size_t edge, const Hull_piece_2& piece) const
+  {
+    const Interval_pair &p = m_boxes[edge], &q = m_boxes[(edge + 1) % m_boxes.size()];
+    for (std::size_t i = 0; i < piece.points().size(); ++i) {
+      const Interval turn = (q[0] - p[0]) * (piece.boxes()[i][1] - p[1]) - (q[1] - p[1]) * (piece.boxes()[i][0] - p[0]);
+      if (turn.sup() < 0 || (turn.inf() <= 0 && is_beyond(edge, piece.points()[i])))
+        return true;
+    }
+    return false;
+  }
+
+  // Whether a point is on the right of an edge; or next to it on the same line, where the polygon is a segment or a point.
   bool is_beyond(std::size_t edge, const Exact_pair& point) const
   {
     const Exact_pair side = difference(vertex(edge + 1), vertex(edge)), arm = difference(point, vertex(edge));
@@ -137,7 +136,7 @@ private:
     for (Hull_piece_2& piece : m_pieces) {
       bool is_inside = true;
       for (std::size_t edge = 0; edge < m_polygon.size(); ++edge)
-        if (std::any_of(piece.points().begin(), piece.points().end(), [&](const Exact_pair& point) { return is_beyond(edge, point); })) {
+        if (is_beyond(edge, piece)) {
           m_beyond[edge].push_back(rest.size());
           is_inside = false;
         }
@@ -166,8 +165,8 @@ private:
   {
     const Exact_pair &point = vertex(i), before = difference(point, vertex(i + m_polygon.size() - 1)), after = difference(vertex(i + 1), point);
     std::vector<Exact_pair> result;
-    for (const Hull_piece_2& piece : m_pieces) {
-      const std::vector<Exact_pair>& points = piece.points();
+    for (std::size_t k : pieces_beside(i)) {
+      const std::vector<Exact_pair>& points = m_pieces[k].points();
       for (const auto& [end, next] : {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
         if (end == point) {
           result.push_back(normal_on_the_right(difference(next, point)));
@@ -180,13 +179,23 @@ private:
     return result;
   }
 
+  // The pieces beyond the two edges of a vertex: no others are above it in a direction in which it is the highest one of the polygon.
+  std::vector<std::size_t> pieces_beside(std::size_t i) const
+  {
+    std::vector<std::size_t> result = m_beyond[i];
+    const std::vector<std::size_t>& before = m_beyond[(i + m_polygon.size() - 1) % m_polygon.size()];
+    result.insert(result.end(), before.begin(), before.end());
+    return result;
+  }
+
   bool is_support(std::size_t i, const Exact_pair& normal) const
   {
+    const std::vector<std::size_t> pieces = pieces_beside(i);
     if (normal == Exact_pair{0, 0})
-      return m_pieces.empty();
+      return pieces.empty();
     const auto is_not_above = [&](const Exact_pair& point) { return exact_dot(difference(point, vertex(i)), normal) <= 0; };
     return is_not_above(vertex(i + 1)) && is_not_above(vertex(i + m_polygon.size() - 1)) &&
-           std::all_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& piece) { return std::all_of(piece.points().begin(), piece.points().end(), is_not_above); });
+           std::all_of(pieces.begin(), pieces.end(), [&](std::size_t k) { return std::all_of(m_pieces[k].points().begin(), m_pieces[k].points().end(), is_not_above); });
   }
 
   // The edges between supported vertices; false when they are final, true when pieces were halved or dropped.
@@ -258,23 +267,23 @@ private:
       return result;
     }
     std::vector<std::size_t> rest = part.pieces;
-    const Chain first = chain_from(vertex(part.first), rest);
+    const Hull_chain first = chain_from(vertex(part.first), rest);
     if (rest.empty() && !first.empty() && first.back().end() == vertex(part.last)) {
       if (!is_convex(first) || !has_vertices(part, first, {}))
         return std::nullopt;
       append_arcs(first, result);
       return result;
     }
-    const Chain second = reversed(chain_from(vertex(part.last), rest));
+    const Hull_chain second = reversed(chain_from(vertex(part.last), rest));
     if (!rest.empty() || !is_convex(first) || !is_convex(second) || !has_vertices(part, first, second) || !are_in_order(part, first, second))
       return std::nullopt;
     return edges_with_segment(part, first, second);
   }
 
   // The pieces that follow each other from a point on, taken out of a list.
-  Chain chain_from(Exact_pair point, std::vector<std::size_t>& pieces) const
+  Hull_chain chain_from(Exact_pair point, std::vector<std::size_t>& pieces) const
   {
-    Chain result;
+    Hull_chain result;
     for (auto i = pieces.begin(); i != pieces.end();) {
       const Hull_piece_2& piece = m_pieces[*i];
       if (piece.begin() == point || piece.end() == point) {
@@ -288,30 +297,8 @@ private:
     return result;
   }
 
-  static Chain reversed(const Chain& chain)
-  {
-    Chain result;
-    for (auto piece = chain.rbegin(); piece != chain.rend(); ++piece)
-      result.push_back(piece->reversed());
-    return result;
-  }
-
-  // Whether the control points turn left all along, by less than a right angle: then the pieces are convex.
-  static bool is_convex(const Chain& chain)
-  {
-    std::vector<Exact_pair> sides;
-    for (const Hull_piece_2& piece : chain)
-      for (std::size_t i = 0; i + 1 < piece.points().size(); ++i) {
-        sides.push_back(difference(piece.points()[i + 1], piece.points()[i]));
-        const auto turns_left_from = [&](const Exact_pair& side) { return exact_cross(side, sides.back()) >= 0 && exact_dot(side, sides.back()) > 0; };
-        if (!turns_left_from(sides.front()) || (sides.size() > 1 && !turns_left_from(sides[sides.size() - 2])))
-          return false;
-      }
-    return true;
-  }
-
   // Whether all vertices of the polygon in a part are ends of pieces of chains.
-  bool has_vertices(const Part& part, const Chain& first, const Chain& second) const
+  bool has_vertices(const Part& part, const Hull_chain& first, const Hull_chain& second) const
   {
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       if (!has_end(first, vertex(i)) && !has_end(second, vertex(i)))
@@ -319,36 +306,16 @@ private:
     return true;
   }
 
-  static bool has_end(const Chain& chain, const Exact_pair& point)
-  {
-    return std::any_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) { return piece.begin() == point || piece.end() == point; });
-  }
-
   // Whether all points of the second chain are further than those of the first one along all lines with directions between the two supporting ones: then there is exactly one at which the higher chain changes.
-  bool are_in_order(const Part& part, const Chain& first, const Chain& second) const
+  bool are_in_order(const Part& part, const Hull_chain& first, const Hull_chain& second) const
   {
     const Exact_pair &before = m_supports.at(vertex(part.first))[1], &after = m_supports.at(vertex(part.last))[0];
     const std::vector<Exact_pair> a = points_of(first, vertex(part.first)), b = points_of(second, vertex(part.last));
-    return exact_cross(before, after) > 0 && are_in_order(a, b, before) && are_in_order(a, b, after);
-  }
-
-  static bool are_in_order(const std::vector<Exact_pair>& first, const std::vector<Exact_pair>& second, const Exact_pair& normal)
-  {
-    const auto is_less = [&](const Exact_pair& a, const Exact_pair& b) { return exact_cross(normal, difference(b, a)) > 0; };
-    return is_less(*std::max_element(first.begin(), first.end(), is_less), *std::min_element(second.begin(), second.end(), is_less));
-  }
-
-  // A chain without pieces is a point.
-  static std::vector<Exact_pair> points_of(const Chain& chain, const Exact_pair& point)
-  {
-    std::vector<Exact_pair> result;
-    for (const Hull_piece_2& piece : chain)
-      result.insert(result.end(), piece.points().begin(), piece.points().end());
-    return chain.empty() ? std::vector<Exact_pair>{point} : result;
+    return exact_cross(before, after) > 0 && have_order(a, b, before) && have_order(a, b, after);
   }
 
   // Arcs up to the contact of the common tangent with the first chain, and from that with the second one on.
-  std::optional<Edges> edges_with_segment(const Part& part, const Chain& first, const Chain& second)
+  std::optional<Edges> edges_with_segment(const Part& part, const Hull_chain& first, const Hull_chain& second)
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
@@ -368,29 +335,6 @@ private:
           return result;
         }
     return std::nullopt;
-  }
-
-  static std::vector<Hull_contact_operand> operands(const Chain& chain, const Exact_pair& point)
-  {
-    if (chain.empty())
-      return {{nullptr, point}};
-    std::vector<Hull_contact_operand> result;
-    for (const Hull_piece_2& piece : chain)
-      result.push_back({&piece, {}});
-    return result;
-  }
-
-  static Hull_vertex_2 vertex_on(const Hull_piece_2& piece, const Parameter_range& local)
-  {
-    const auto& [begin, end] = piece.curve().parameters;
-    const Exact_rational first(begin + local.first * (end - begin)), second(begin + local.second * (end - begin));
-    return {piece.curve().curve, std::minmax(first, second)};
-  }
-
-  static void append_arcs(std::span<const Hull_piece_2> pieces, Edges& edges)
-  {
-    for (const Hull_piece_2& piece : pieces)
-      edges.push_back({Hull_edge_kind::ARC, vertex_on(piece, {0, 0}), vertex_on(piece, {1, 1})});
   }
 
   /*
@@ -467,7 +411,7 @@ private:
   bool leave_out_what_touches_segment(const Part& part, std::set<std::size_t>& dropped)
   {
     std::vector<std::size_t> rest = part.pieces;
-    const Chain first = chain_from(vertex(part.first), rest), second = reversed(chain_from(vertex(part.last), rest));
+    const Hull_chain first = chain_from(vertex(part.first), rest), second = reversed(chain_from(vertex(part.last), rest));
     if (!is_convex(first) || !is_convex(second))
       return false;
     bool result = false;
@@ -486,7 +430,7 @@ private:
     return result;
   }
 
-  bool have_common_tangent(const Part& part, const Chain& first, const Hull_contact_operand& between, const Chain& second)
+  bool have_common_tangent(const Part& part, const Hull_chain& first, const Hull_contact_operand& between, const Hull_chain& second)
   {
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))

@@ -98,6 +98,8 @@ public:
   // Whether two pieces have one common point at most, or the first one is a part of the second one.
   bool meet_once_or_overlap(const Hull_piece_2& piece, const Hull_piece_2& other) const
   {
+    if (!may_meet(piece.boxes(), other.boxes()))
+      return true;
     const auto common = intersections(exact_curve(piece), exact_curve(other), m_options);
     if (!common.is_complete())
       return false;
@@ -108,12 +110,25 @@ public:
 
   bool has_point(const Hull_piece_2& piece, const Exact_pair& point) const
   {
+    if (!may_meet({enclosed(point)}, piece.boxes()))
+      return false;
     const auto common = intersections(Exact_kernel::Point_2(point[0], point[1]), exact_curve(piece), m_options);
     return common.is_complete() && !common.empty();
   }
 
 private:
   static bool is_proved(const Solution_d<double>& solution) { return solution.kind() == Solution_kind::CERTIFIED || solution.kind() == Solution_kind::CLUSTER; }
+
+  static bool may_meet(const std::vector<Interval_pair>& a, const std::vector<Interval_pair>& b)
+  {
+    const auto hull = [](const std::vector<Interval_pair>& boxes, std::size_t axis) {
+      Interval result = boxes.front()[axis];
+      for (const Interval_pair& box : boxes)
+        result = Interval((std::min)(result.inf(), box[axis].inf()), (std::max)(result.sup(), box[axis].sup()));
+      return result;
+    };
+    return hull(a, 0).do_overlap(hull(b, 0)) && hull(a, 1).do_overlap(hull(b, 1));
+  }
 
   static Bspline_curve_2<Exact_kernel> exact_curve(const Hull_piece_2& piece) { return Boundary_loop_2({piece.curve()}).curve(); }
 

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
 
+#include <CGAL/number_utils.h>
+
 #include <array>
 #include <cstddef>
 #include <tuple>
@@ -17,6 +19,18 @@ namespace Spline_constraints {
 namespace internal {
 
 inline Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
+
+inline Exact_pair sum(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])}; }
+inline Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
+
+// Of length one where that is the sum of the coordinates without signs.
+inline Exact_pair scaled(const Exact_pair& v)
+{
+  const Exact_rational length = CGAL::abs(v[0]) + CGAL::abs(v[1]);
+  return length == 0 ? v : Exact_pair{Exact_rational(v[0] / length), Exact_rational(v[1] / length)};
+}
+
+inline Interval_pair enclosed(const Exact_pair& point) { return {interval_of(point[0]), interval_of(point[1])}; }
 
 inline std::array<Boundary_piece, 2> halves(const Boundary_piece& piece)
 {
@@ -33,6 +47,7 @@ class Hull_piece_2
   Boundary_piece m_curve;
   int m_halvings;
   std::vector<Exact_pair> m_points;
+  std::vector<Interval_pair> m_boxes;
 
 public:
   explicit Hull_piece_2(Boundary_piece curve, int halvings = 0) : m_curve(std::move(curve)), m_halvings(halvings)
@@ -43,13 +58,16 @@ public:
       if (m_points.empty() || point != m_points.back())
         m_points.push_back(std::move(point));
     }
+    for (const Exact_pair& point : m_points)
+      m_boxes.push_back(enclosed(point));
   }
 
   const Boundary_piece& curve() const { return m_curve; }
   int halvings() const { return m_halvings; }
 
-  // The control points, each different from the one before.
+  // The control points, each different from the one before, and boxes around them.
   const std::vector<Exact_pair>& points() const { return m_points; }
+  const std::vector<Interval_pair>& boxes() const { return m_boxes; }
   const Exact_pair& begin() const { return m_points.front(); }
   const Exact_pair& end() const { return m_points.back(); }
 
