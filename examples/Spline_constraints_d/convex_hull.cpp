@@ -25,7 +25,7 @@ int main(int argc, char* argv[])
 {
   try {
     std::vector<SC::Bspline_curve_2<K>> curves;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg"))
+    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg"))
       curves.push_back(element.curve);
     const auto hull = SC::convex_hull(curves);
 

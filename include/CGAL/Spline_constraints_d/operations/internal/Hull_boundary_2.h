@@ -32,8 +32,7 @@ not and are in order in all directions between those of the two lines. Otherwise
 */
 class Hull_boundary_2
 {
-  static constexpr int halvings_between_proofs = 6, most_halvings = 64;
-  static constexpr std::size_t most_pieces = 100;   // of a part of the boundary that halving does not help to decide
+  static constexpr int halvings_between_proofs = 6, most_halvings = 64;   // of one piece
 
   using Edges = std::vector<Hull_edge_2>;
 
@@ -49,6 +48,7 @@ class Hull_boundary_2
 
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
+  std::size_t m_halvings_left = 0;                     // of all pieces; in each round where they overlap, all must be halved
   std::map<Exact_pair, Hull_vertex_2> m_points;           // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
@@ -65,6 +65,7 @@ public:
       for (const Hull_piece_2& piece : curve)
         if (std::none_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || piece.reversed().is_same(other); }))
           add(piece);
+    m_halvings_left = 1000 + 300 * m_pieces.size();
     do {
       make_polygon();
       drop_pieces_in_polygon();
@@ -214,7 +215,7 @@ private:
         m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
       else {
         append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!leave_out_what_touches(part, to_drop) && !m_contacts.is_exhausted() && is_small(part))
+        if (!leave_out_what_touches(part, to_drop) && !m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left)
           std::copy_if(part.pieces.begin(), part.pieces.end(), std::inserter(to_halve, to_halve.end()), [&](std::size_t i) { return m_pieces[i].halvings() < most_halvings; });
       }
     }
@@ -227,9 +228,11 @@ private:
         continue;
       else if (to_halve.count(i) == 0)
         m_pieces.push_back(std::move(pieces[i]));
-      else
+      else {
         for (Hull_piece_2& half : pieces[i].halves())
           add(std::move(half));
+        m_halvings_left -= (std::min)(m_halvings_left, std::size_t(1));
+      }
     return true;
   }
 
@@ -343,12 +346,10 @@ private:
   bool leave_out_what_touches(const Part& part, std::set<std::size_t>& dropped)
   {
     const int halvings = least_halvings(part);
-    if (halvings == 0 || (halvings % halvings_between_proofs != 0 && is_small(part)))
+    if (halvings == 0 || halvings % halvings_between_proofs != 0)
       return false;
     return cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
   }
-
-  bool is_small(const Part& part) const { return part.pieces.size() <= most_pieces || least_halvings(part) < halvings_between_proofs; }
 
   int least_halvings(const Part& part) const
   {
