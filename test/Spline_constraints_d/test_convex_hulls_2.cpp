@@ -196,6 +196,14 @@ TEST(convex_hulls_2, drawings)
   expect_convex_cycle(on_arc);
   expect_area(on_arc, 25 * pi);
 
+  const Curve arch = SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, 2}, {3, 0}});
+  const Hull overlapping = SC::convex_hull(Curves{arch.restricted(0, 0.625), arch.restricted(0.3125, 1), arch.restricted(0.25, 0.75).reversed()});
+  EXPECT_TRUE(overlapping.is_complete());
+  EXPECT_EQ(count(overlapping, Kind::SEGMENT), 1u);
+  expect_convex_cycle(overlapping);
+  EXPECT_EQ(overlapping.area().first, 3);
+  EXPECT_EQ(overlapping.area().second, 3);
+
   const Hull wedge = SC::convex_hull(Curves{disk, SC::segment_curve(Point(1, -1), Point(1, 1)), SC::segment_curve(Point(3, 1), Point(-1, 1))});
   EXPECT_TRUE(wedge.is_complete());
   expect_convex_cycle(wedge);

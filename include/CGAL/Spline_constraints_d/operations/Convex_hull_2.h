@@ -201,11 +201,7 @@ private:
       const Exact_rational lower = (std::max)(begin, (std::min)(from, to)), upper = (std::min)(end, (std::max)(from, to));
       if (!(lower < upper))
         continue;
-      internal::Boundary_piece part(piece.curve());
-      for (internal::Exact_tensor& tensor : part.coordinates)
-        tensor = tensor.restricted(0, Exact_rational((lower - begin) / (end - begin)), Exact_rational((upper - begin) / (end - begin)));
-      part.parameters = {lower, upper};
-      result.emplace_back(std::move(part));
+      result.emplace_back(internal::restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)), Exact_rational((upper - begin) / (end - begin))));
     }
     if (to < from) {
       std::reverse(result.begin(), result.end());
@@ -228,7 +224,7 @@ private:
     if (is_close)
       samples.push_back(internal::kernel_object<Kernel, Point>(piece.end()));
     else
-      for (const internal::Hull_piece_2& half : piece.halves())
+      for (const internal::Hull_piece_2& half : piece.parts({internal::one_half()}))
         append_samples(half, error, samples);
   }
 

@@ -43,6 +43,9 @@ class Hull_boundary_2
     std::vector<std::size_t> pieces;
   };
 
+  // Parameters where pieces are cut.
+  using Cuts = std::map<std::size_t, std::set<Exact_rational>>;
+
   // Of lines through one point, the second one not before the first one counterclockwise.
   using Normals = std::array<Exact_pair, 2>;
 
@@ -63,8 +66,7 @@ public:
   {
     for (const Hull_chain& curve : curves)
       for (const Hull_piece_2& piece : curve)
-        if (std::none_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || piece.reversed().is_same(other); }))
-          add(piece);
+        add(piece);
     m_halvings_left = 1000 + 300 * m_pieces.size();
     do {
       make_polygon();
@@ -78,8 +80,12 @@ public:
   const Summary& work() const { return m_contacts.work(); }
 
 private:
+  // Unless it is there.
   void add(Hull_piece_2 piece)
   {
+    const Hull_piece_2 reversed = piece.reversed();
+    if (std::any_of(m_pieces.begin(), m_pieces.end(), [&](const Hull_piece_2& other) { return piece.is_same(other) || reversed.is_same(other); }))
+      return;
     const Boundary_piece& curve = piece.curve();
     for (std::size_t k = 0; k < 2; ++k)
       m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Hull_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
@@ -203,7 +209,8 @@ private:
   bool make_edges()
   {
     m_edges.clear();
-    std::set<std::size_t> to_halve, to_drop;
+    std::set<std::size_t> to_drop;
+    Cuts cuts;
     const std::size_t covered = m_covered.size();
     for (const Part& part : parts()) {
       const std::array<Exact_pair, 2> ends{vertex(part.first), vertex(part.last)};
@@ -215,23 +222,25 @@ private:
         m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
       else {
         append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!leave_out_what_touches(part, to_drop) && !m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left)
-          std::copy_if(part.pieces.begin(), part.pieces.end(), std::inserter(to_halve, to_halve.end()), [&](std::size_t i) { return m_pieces[i].halvings() < most_halvings; });
+        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left && !leave_out_what_touches(part, to_drop, cuts))
+          for (std::size_t i : part.pieces)
+            if (m_pieces[i].halvings() < most_halvings)
+              cuts[i].insert(one_half());
       }
     }
-    if (to_halve.empty() && to_drop.empty() && covered == m_covered.size())
+    if (cuts.empty() && to_drop.empty() && covered == m_covered.size())
       return false;
     std::vector<Hull_piece_2> pieces = std::move(m_pieces);
     m_pieces.clear();
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (to_drop.count(i) > 0)
         continue;
-      else if (to_halve.count(i) == 0)
+      else if (cuts.count(i) == 0)
         m_pieces.push_back(std::move(pieces[i]));
       else {
-        for (Hull_piece_2& half : pieces[i].halves())
-          add(std::move(half));
-        m_halvings_left -= (std::min)(m_halvings_left, std::size_t(1));
+        for (Hull_piece_2& part : pieces[i].parts(cuts.at(i)))
+          add(std::move(part));
+        m_halvings_left -= (std::min)(m_halvings_left, cuts.at(i).size());
       }
     return true;
   }
@@ -343,12 +352,26 @@ private:
   /*
   Where halving does not help: what touches the boundary from within is proved to, and left out. Whether there was anything.
   */
-  bool leave_out_what_touches(const Part& part, std::set<std::size_t>& dropped)
+  bool leave_out_what_touches(const Part& part, std::set<std::size_t>& dropped, Cuts& cuts)
   {
     const int halvings = least_halvings(part);
     if (halvings == 0 || halvings % halvings_between_proofs != 0)
       return false;
-    return cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+    return cut_where_pieces_overlap(part, cuts) || cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+  }
+
+  // At the ends of overlaps: pieces that are the same count once.
+  bool cut_where_pieces_overlap(const Part& part, Cuts& cuts)
+  {
+    const std::size_t cut_before = cuts.size();
+    for (std::size_t k = 0; k < part.pieces.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (const auto overlap = m_contacts.overlap(m_pieces[part.pieces[k]], m_pieces[part.pieces[l]]))
+          for (const std::size_t side : {0, 1})
+            for (const Exact_rational& end : {(*overlap)[side].first, (*overlap)[side].second})
+              if (end > 0 && end < 1)
+                cuts[part.pieces[side == 0 ? k : l]].insert(end);
+    return cuts.size() > cut_before;
   }
 
   int least_halvings(const Part& part) const

@@ -95,17 +95,26 @@ public:
     return have_common_height({summit(first, normal), summit(between, normal), summit(second, normal)});
   }
 
+  // Ranges on [0,1] where two pieces are the same, if they have nothing else in common.
+  std::optional<std::array<Parameter_range, 2>> overlap(const Hull_piece_2& first, const Hull_piece_2& second) const
+  {
+    if (!may_meet(first.boxes(), second.boxes()))
+      return std::nullopt;
+    const auto common = intersections(exact_curve(first), exact_curve(second), m_options);
+    if (common.size() != 1 || common[0].kind() != Intersection_kind::OVERLAP)
+      return std::nullopt;
+    return std::array<Parameter_range, 2>{common[0].parameter_range(0), common[0].parameter_range(1)};
+  }
+
   // Whether two pieces have one common point at most, or the first one is a part of the second one.
   bool meet_once_or_overlap(const Hull_piece_2& piece, const Hull_piece_2& other) const
   {
     if (!may_meet(piece.boxes(), other.boxes()))
       return true;
     const auto common = intersections(exact_curve(piece), exact_curve(other), m_options);
-    if (!common.is_complete())
+    if (!common.is_complete() || common.size() > 1)
       return false;
-    if (common.count(Intersection_kind::OVERLAP) == 0)
-      return common.size() <= 1;
-    return common.size() == 1 && common[0].parameter_range(0) == Parameter_range(0, 1);
+    return common.count(Intersection_kind::OVERLAP) == 0 || (has_point(other, piece.begin()) && has_point(other, piece.end()));
   }
 
   bool has_point(const Hull_piece_2& piece, const Exact_pair& point) const
@@ -136,12 +145,8 @@ private:
   static Vector_bounds<2> bounds(const Hull_contact_operand& operand, const Parameter_range& range)
   {
     std::vector<Exact_pair> points{operand.point};
-    if (operand.piece != nullptr) {
-      Boundary_piece part(operand.piece->curve());
-      for (Exact_tensor& tensor : part.coordinates)
-        tensor = tensor.restricted(0, range.first, range.second);
-      points = Hull_piece_2(std::move(part)).points();
-    }
+    if (operand.piece != nullptr)
+      points = Hull_piece_2(restricted(operand.piece->curve(), range.first, range.second)).points();
     const auto coordinate = [](std::size_t axis) { return [axis](const Exact_pair& a, const Exact_pair& b) { return a[axis] < b[axis]; }; };
     Vector_bounds<2> result;
     for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -10,7 +10,7 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -32,14 +32,16 @@ inline Exact_pair scaled(const Exact_pair& v)
 
 inline Interval_pair enclosed(const Exact_pair& point) { return {interval_of(point[0]), interval_of(point[1])}; }
 
-inline std::array<Boundary_piece, 2> halves(const Boundary_piece& piece)
+inline Boundary_piece restricted(Boundary_piece piece, const Exact_rational& begin, const Exact_rational& end)
 {
-  std::array<Boundary_piece, 2> result{piece, piece};
-  for (std::size_t k = 0; k < 3; ++k)
-    std::tie(result[0].coordinates[k], result[1].coordinates[k]) = piece.coordinates[k].split(0);
-  result[0].parameters[1] = result[1].parameters[0] = Exact_rational((piece.parameters[0] + piece.parameters[1]) / 2);
-  return result;
+  for (Exact_tensor& tensor : piece.coordinates)
+    tensor = tensor.restricted(0, begin, end);
+  const auto [first, last] = piece.parameters;
+  piece.parameters = {Exact_rational(first + begin * (last - first)), Exact_rational(first + end * (last - first))};
+  return piece;
 }
+
+inline Exact_rational one_half() { return Exact_rational(1) / 2; }
 
 // A piece of a curve whose weights are positive, so that it lies in the convex hull of its control points.
 class Hull_piece_2
@@ -75,10 +77,17 @@ public:
 
   Hull_piece_2 reversed() const { return Hull_piece_2(m_curve.reversed(), m_halvings); }
 
-  std::array<Hull_piece_2, 2> halves() const
+  // The parts between parameters of (0,1).
+  std::vector<Hull_piece_2> parts(const std::set<Exact_rational>& cuts) const
   {
-    auto [first, second] = internal::halves(m_curve);
-    return {Hull_piece_2(std::move(first), m_halvings + 1), Hull_piece_2(std::move(second), m_halvings + 1)};
+    std::vector<Hull_piece_2> result;
+    Exact_rational begin(0);
+    for (auto cut = cuts.begin(); begin < 1; ++cut) {
+      const Exact_rational end = cut != cuts.end() ? *cut : Exact_rational(1);
+      result.emplace_back(restricted(m_curve, begin, end), m_halvings + 1);
+      begin = end;
+    }
+    return result;
   }
 };
 
@@ -88,8 +97,8 @@ inline void append_hull_pieces(const Boundary_piece& piece, std::vector<Hull_pie
   if (piece.coordinates[2].bounds().first > 0)
     pieces.emplace_back(piece);
   else
-    for (const Boundary_piece& half : halves(piece))
-      append_hull_pieces(half, pieces);
+    for (int half = 0; half < 2; ++half)
+      append_hull_pieces(restricted(piece, half * one_half(), (half + 1) * one_half()), pieces);
 }
 
 } // namespace internal
