@@ -232,10 +232,16 @@ TEST(convex_hulls_2, degenerate)
   EXPECT_TRUE(half_disk.edges()[0].is_reversed() || half_disk.edges()[1].is_reversed());
   EXPECT_EQ(half_disk.area().first, SC::Exact_rational(2) / 3);
 
-  // It turns back at the parameter 3/5, which is no end of a half.
+  // It turns back at the parameter 3/5.
   const Hull back = SC::convex_hull(SC::bezier_curve<K>({{0, 0}, {3, 0}, {1, 0}}));
-  EXPECT_FALSE(back.is_complete());
-  EXPECT_FALSE(back.summary().is_complete);
+  expect_complete(back, 0, 2);
+  EXPECT_DOUBLE_EQ(back.polygon(1).bbox().xmax(), 1.8);
+
+  // Without time nothing is halved.
+  const Hull limited = SC::convex_hull(Curves{kidney()}, {Point(9, 9)}, {.time_limit = 1e-9});
+  EXPECT_FALSE(limited.is_complete());
+  EXPECT_FALSE(limited.summary().is_complete);
+  EXPECT_GT(count(limited, Kind::UNDECIDED), 0u);
 
   EXPECT_THROW(SC::convex_hull(Curves{}), SC::Invalid_input);
   EXPECT_THROW(segment.polygon(0), SC::Invalid_input);

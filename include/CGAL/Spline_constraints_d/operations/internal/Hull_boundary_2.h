@@ -222,7 +222,7 @@ private:
         m_edges.insert(m_edges.end(), known->second.begin(), known->second.end());
       else {
         append_segments(part, Hull_edge_kind::UNDECIDED, m_edges);
-        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left && !leave_out_what_touches(part, to_drop, cuts))
+        if (!m_contacts.is_exhausted() && part.pieces.size() <= m_halvings_left && !decide_otherwise(part, to_drop, cuts))
           for (std::size_t i : part.pieces)
             if (m_pieces[i].halvings() < most_halvings)
               cuts[i].insert(one_half());
@@ -350,14 +350,23 @@ private:
   }
 
   /*
-  Where halving does not help: what touches the boundary from within is proved to, and left out. Whether there was anything.
+  Where halving does not help: what touches the boundary from within is proved to, and left out; pieces are cut at cusps, and where overlaps end. Whether there was anything.
   */
-  bool leave_out_what_touches(const Part& part, std::set<std::size_t>& dropped, Cuts& cuts)
+  bool decide_otherwise(const Part& part, std::set<std::size_t>& dropped, Cuts& cuts)
   {
     const int halvings = least_halvings(part);
     if (halvings == 0 || halvings % halvings_between_proofs != 0)
       return false;
-    return cut_where_pieces_overlap(part, cuts) || cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+    return cut_at_singularities(part, cuts) || cut_where_pieces_overlap(part, cuts) || cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+  }
+
+  bool cut_at_singularities(const Part& part, Cuts& cuts)
+  {
+    const std::size_t cut_before = cuts.size();
+    for (std::size_t i : part.pieces)
+      if (const auto t = m_contacts.rational_singularity(m_pieces[i]))
+        cuts[i].insert(*t);
+    return cuts.size() > cut_before;
   }
 
   // At the ends of overlaps: pieces that are the same count once.

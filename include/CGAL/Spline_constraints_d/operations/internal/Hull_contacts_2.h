@@ -64,7 +64,7 @@ public:
         constraints.push_back(cross(line, tangents[i]) == 0);
         constraints.push_back(dot(line, tangents[i]) > 0);
       }
-    const auto solutions = m_solve(constraints);
+    const auto solutions = m_solve(constraints, u);
     if (solutions.size() != 1 || !is_proved(solutions[0]))
       return std::nullopt;
     std::vector<Parameter_range> ranges;
@@ -93,6 +93,20 @@ public:
     direction[1 - axis] = sign * simplest_rational_between(slope.lower, slope.upper);
     const Exact_pair normal{direction[1], Exact_rational(-direction[0])};
     return have_common_height({summit(first, normal), summit(between, normal), summit(second, normal)});
+  }
+
+  // The parameter within (0,1) where a piece has a cusp or turns back, if there is one and it is rational.
+  std::optional<Exact_rational> rational_singularity(const Hull_piece_2& piece)
+  {
+    const Differentiated_map curve{Planar_map(exact_curve(piece)), 1};
+    const std::vector<Unknown> u = unknowns({{Bound(0), Bound(1)}});
+    const Vector_expression<2> tangent = curve(1, u[0]);
+    const auto solutions = m_solve({tangent.x() == 0, tangent.y() == 0}, u);
+    if (solutions.size() != 1 || !is_proved(solutions[0]))
+      return std::nullopt;
+    const auto [lower, upper] = solutions[0].exact_box()[0];
+    const Exact_rational t = simplest_rational_between((std::max)(lower, Exact_rational(0)), (std::min)(upper, Exact_rational(1)));
+    return t > 0 && t < 1 && curve.at(1, t) == Exact_pair{0, 0} ? std::optional<Exact_rational>(t) : std::nullopt;
   }
 
   // Ranges on [0,1] where two pieces are the same, if they have nothing else in common.
@@ -190,15 +204,15 @@ private:
     std::vector<Constraint> all;
     for (const auto& [value, quotient] : summits) {
       all.push_back((quotient ? Expression(critical_value_polynomial((*quotient)[0], (*quotient)[1], height[0].numerator()), Monomial(), height[0].symbols()) : height[0] - value.lower) == 0);
-      if (all.back().function.is_zero() || !has_one_solution({all.back()}))
+      if (all.back().function.is_zero() || !has_one_solution({all.back()}, height))
         return false;
     }
-    return has_one_solution(all);
+    return has_one_solution(all, height);
   }
 
-  bool has_one_solution(const std::vector<Constraint>& constraints)
+  bool has_one_solution(const std::vector<Constraint>& constraints, const std::vector<Unknown>& unknowns)
   {
-    const auto solutions = m_solve(constraints);
+    const auto solutions = m_solve(constraints, unknowns);
     return solutions.size() == 1 && is_proved(solutions[0]);
   }
 };
