@@ -232,6 +232,9 @@ TEST(convex_hulls_2, degenerate)
   EXPECT_TRUE(half_disk.edges()[0].is_reversed() || half_disk.edges()[1].is_reversed());
   EXPECT_EQ(half_disk.area().first, SC::Exact_rational(2) / 3);
 
+  const Hull point = SC::convex_hull(Curves{SC::bezier_curve<K>({{1, 1}, {1, 1}, {1, 1}})}, {Point(1, 1)});
+  expect_complete(point, 0, 1);
+
   // It turns back at the parameter 3/5.
   const Hull back = SC::convex_hull(SC::bezier_curve<K>({{0, 0}, {3, 0}, {1, 0}}));
   expect_complete(back, 0, 2);

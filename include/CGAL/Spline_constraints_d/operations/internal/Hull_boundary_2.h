@@ -89,7 +89,8 @@ private:
     const Boundary_piece& curve = piece.curve();
     for (std::size_t k = 0; k < 2; ++k)
       m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Hull_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
-    m_pieces.push_back(std::move(piece));
+    if (piece.points().size() > 1)   // else it is a point
+      m_pieces.push_back(std::move(piece));
   }
 
   const Exact_pair& vertex(std::size_t i) const { return m_polygon[i % m_polygon.size()]; }
