@@ -40,9 +40,11 @@ public:
   const Summary& work() const { return m_solve.total(); }
   bool is_exhausted() const { return m_solve.has_reached_node_limit() || m_solve.is_out_of_time(); }
 
-  // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1] of their parameters, if there is one line, which has them in these ranges.
+  // The line from one operand to another one that touches both, in the direction in which pieces run: ranges on [0,1] of their parameters, if there is one line, which has them in these ranges. Ranges of points mean nothing.
   std::optional<std::array<Parameter_range, 2>> common_tangent(const Hull_contact_operand& first, const Hull_contact_operand& second)
   {
+    if (first.piece == nullptr && second.piece == nullptr)
+      return std::array<Parameter_range, 2>{};
     const std::array<const Hull_contact_operand*, 2> operands{&first, &second};
     std::vector<Unknown> u = unknowns(first.piece != nullptr && second.piece != nullptr ? 2 : 1, {Bound(0), Bound(1)});
     std::vector<Vector_expression<2>> points, tangents;
@@ -62,6 +64,8 @@ public:
     for (std::size_t i = 0; i < 2; ++i)
       if (operands[i]->piece != nullptr) {
         constraints.push_back(cross(line, tangents[i]) == 0);
+        if (constraints.back().function.is_zero())   // straight
+          return std::nullopt;
         constraints.push_back(dot(line, tangents[i]) > 0);
       }
     const auto solutions = m_solve(constraints, u);
