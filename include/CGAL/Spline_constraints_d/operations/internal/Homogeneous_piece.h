@@ -21,6 +21,7 @@ namespace Spline_constraints {
 namespace internal {
 
 using Interval = CGAL::Interval_nt<false>;
+using Interval_pair = std::array<Interval, 2>;
 using Interval_tensor = Bernstein_tensor<Interval>;
 using Parameter_range = std::pair<Exact_rational, Exact_rational>;
 

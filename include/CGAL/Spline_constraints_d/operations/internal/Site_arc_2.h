@@ -21,7 +21,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Interval_pair = std::array<Interval, 2>;
 
 inline Interval dot(const Interval_pair& a, const Interval_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline Interval squared_norm(const Interval_pair& a) { return CGAL::square(a[0]) + CGAL::square(a[1]); }

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The convex hull of the curves of a drawing: arcs of curves, and segments that touch them.
+//
+//   convex_hull [DRAWING.svg]
+//
+// Writes convex_hull.svg. Exit status: 0 when all of the boundary is proved, 3 when a part is not, 2 for bad input.
+#include <CGAL/Spline_constraints_d/IO/read_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+
+int main(int argc, char* argv[])
+{
+  try {
+    std::vector<SC::Bspline_curve_2<K>> curves;
+    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg"))
+      curves.push_back(element.curve);
+    const auto hull = SC::convex_hull(curves);
+
+    const CGAL::Bbox_2 box = hull.polygon(1).bbox();
+    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 30;
+    const auto polygon = hull.polygon(size / 5000);
+    std::ofstream file("convex_hull.svg");
+    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 600);
+    picture.polygon(std::vector<K::Point_2>(polygon.begin(), polygon.end()), "#dbe9f6");
+    for (const auto& curve : curves)
+      picture.curve(curve, "black", 2);
+    std::size_t arcs = 0, segments = 0;
+    for (std::size_t i = 0; i < hull.edges().size(); ++i) {
+      const auto& edge = hull.edges()[i];
+      const bool is_arc = edge.kind == SC::Hull_edge_kind::ARC;
+      ++(is_arc ? arcs : segments);
+      picture.curve(SC::polyline_curve(hull.polyline(i, size / 5000)), is_arc ? "#d62728" : "#1f77b4", 4);
+    }
+    for (const auto& edge : hull.edges())
+      picture.point(hull.point(edge.source), "black", 8);
+
+    std::cout << curves.size() << " curves; hull of " << arcs << " arcs and " << segments << " segments";
+    if (hull.is_complete()) {
+      const auto [lower, upper] = hull.area();
+      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
+    }
+    std::cout << "; complete: " << (hull.is_complete() ? "yes" : "no") << '\n';
+    return hull.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Hull_boundary_2.h>
+
+#include <CGAL/Polygon_2.h>
+#include <CGAL/assertions.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The convex hull of curves and points in the plane: its boundary, counterclockwise, of arcs of the curves and segments that touch them.
+
+\tparam Kernel_ a `SplineKernel`.
+*/
+template <SplineKernel Kernel_>
+class Convex_hull_2
+{
+public:
+  using Kernel = Kernel_;
+  using Point = typename Kernel::Point_2;
+  using Curve = Bspline_curve_2<Kernel>;
+
+private:
+  using Pieces = std::vector<internal::Hull_piece_2>;
+
+  std::vector<Pieces> m_pieces;              // of each curve
+  std::vector<internal::Exact_pair> m_points;
+  std::vector<Hull_edge_2> m_edges;
+  Summary m_summary;
+
+public:
+  /*!
+  the hull of these curves and points.
+  \param curves the curves.
+  \param points the points.
+  \param options those of the solver; limits hold for the operation as a whole.
+  \throws Invalid_input when there are neither curves nor points, a coordinate is not finite, or an option makes no sense.
+  */
+  Convex_hull_2(const std::vector<Curve>& curves, const std::vector<Point>& points, const Solver_options& options = {})
+  {
+    if (curves.empty() && points.empty())
+      throw Invalid_input("Convex_hull_2: there are neither curves nor points");
+    const Upward_rounding_guard guard;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      m_pieces.emplace_back();
+      for (const internal::Boundary_piece& piece : internal::boundary_pieces(curves[i], i))
+        internal::append_hull_pieces(piece, m_pieces.back());
+    }
+    std::map<internal::Exact_pair, Hull_vertex_2> isolated;
+    for (const Point& point : points) {
+      m_points.push_back({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+      isolated.try_emplace(m_points.back(), Hull_vertex_2{curves.size() + m_points.size() - 1, {}});
+    }
+    const internal::Hull_boundary_2 boundary(m_pieces, std::move(isolated), options);
+    m_edges = with_joined_arcs(boundary.edges());
+    m_summary = boundary.work();
+    m_summary.is_complete = is_complete();
+  }
+
+  /*!
+  the boundary: each part begins in the point where the one before ends, which may be on two curves. Arcs of a closed curve end at its seam. The hull of one point has one segment, from this point to itself; one that is a segment has two of
+  them.
+  */
+  const std::vector<Hull_edge_2>& edges() const { return m_edges; }
+
+  //! whether no part of the boundary is undecided.
+  bool is_complete() const
+  {
+    return std::none_of(m_edges.begin(), m_edges.end(), [](const Hull_edge_2& edge) { return edge.kind == Hull_edge_kind::UNDECIDED; });
+  }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
+
+  //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
+  Point point(const Hull_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(exact_point(vertex.curve, vertex.parameter())); }
+
+  /*!
+  points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
+  \param edge the index of the part.
+  \param error the distance; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<Point> polyline(std::size_t edge, double error) const
+  {
+    check_error(error);
+    const auto& [kind, source, target] = m_edges[edge];
+    std::vector<Point> result{point(source)};
+    if (kind == Hull_edge_kind::ARC)
+      for (const internal::Hull_piece_2& piece : pieces_between(source.curve, source.parameter(), target.parameter()))
+        append_samples(piece, to_rational(error), result);
+    else
+      result.push_back(point(target));
+    return result;
+  }
+
+  /*!
+  the polygon of these points of all parts; its vertices are on the boundary, and the boundary is nowhere farther from it, but for the rounding of coordinates.
+  \param error the distance; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  CGAL::Polygon_2<Kernel> polygon(double error) const
+  {
+    check_error(error);
+    CGAL::Polygon_2<Kernel> result;
+    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+      const std::vector<Point> points = polyline(i, error);
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        result.push_back(points[k]);
+    }
+    return result;
+  }
+
+  /*!
+  bounds of the area; the same number twice where all vertices are known exactly and the curves are polynomial. They are as close as the ranges of the parameters of vertices.
+  \param error how far from each other the bounds may be in addition; positive.
+  \pre `is_complete()`
+  \throws Invalid_input when the error is not positive.
+  */
+  std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
+  {
+    check_error(error);
+    CGAL_precondition(is_complete());
+    std::vector<internal::Boundary_piece> arcs;
+    Exact_rational twice_polygon(0), twice_rest(0);
+    for (std::size_t i = 0; i < m_edges.size(); ++i)
+      if (m_edges[i].kind == Hull_edge_kind::ARC)
+        for (const internal::Hull_piece_2& piece : pieces_between(m_edges[i].source.curve, certain_end(i, 0), certain_end(i, 1)))
+          arcs.push_back(piece.curve());
+      else {
+        const auto [begin, end] = certain_segment(i);
+        twice_polygon += internal::exact_cross(begin, end);
+        twice_rest += twice_area_beside_segment(i);
+      }
+    const internal::Rational_interval below_arcs = arcs.empty() ? internal::Rational_interval(Exact_rational(0)) : internal::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
+    return {Exact_rational(below_arcs.lower + twice_polygon / 2), Exact_rational(below_arcs.upper + (twice_polygon + twice_rest) / 2)};
+  }
+
+private:
+  static void check_error(double error)
+  {
+    if (!(error > 0))
+      throw Invalid_input("Convex_hull_2: the error must be positive");
+  }
+
+  // One edge for successive arcs of one curve; the first one does not go on from the last one.
+  static std::vector<Hull_edge_2> with_joined_arcs(std::vector<Hull_edge_2> edges)
+  {
+    const auto goes_on = [](const Hull_edge_2& edge, const Hull_edge_2& next) {
+      return edge.kind == Hull_edge_kind::ARC && next.kind == Hull_edge_kind::ARC && edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters &&
+             edge.is_reversed() == next.is_reversed();
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (!goes_on(edges[(i + edges.size() - 1) % edges.size()], edges[i])) {
+        std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(i), edges.end());
+        break;
+      }
+    std::vector<Hull_edge_2> result;
+    for (const Hull_edge_2& edge : edges)
+      if (!result.empty() && goes_on(result.back(), edge))
+        result.back().target = edge.target;
+      else
+        result.push_back(edge);
+    return result;
+  }
+
+  internal::Exact_pair exact_point(std::size_t curve, const Exact_rational& parameter) const
+  {
+    if (curve >= m_pieces.size())
+      return m_points[curve - m_pieces.size()];
+    const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1, [&](const auto& p) { return parameter <= p.curve().parameters[1]; });
+    const auto& [begin, end] = piece->curve().parameters;
+    return piece->curve().at(Exact_rational((parameter - begin) / (end - begin)));
+  }
+
+  // A part of a curve, run backwards if parameters decrease.
+  Pieces pieces_between(std::size_t curve, const Exact_rational& from, const Exact_rational& to) const
+  {
+    Pieces result;
+    for (const internal::Hull_piece_2& piece : m_pieces[curve]) {
+      const auto& [begin, end] = piece.curve().parameters;
+      const Exact_rational lower = (std::max)(begin, (std::min)(from, to)), upper = (std::min)(end, (std::max)(from, to));
+      if (!(lower < upper))
+        continue;
+      result.emplace_back(internal::restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)), Exact_rational((upper - begin) / (end - begin))));
+    }
+    if (to < from) {
+      std::reverse(result.begin(), result.end());
+      for (internal::Hull_piece_2& piece : result)
+        piece = piece.reversed();
+    }
+    return result;
+  }
+
+  // Samples after the begin of a piece.
+  static void append_samples(const internal::Hull_piece_2& piece, const Exact_rational& error, std::vector<Point>& samples)
+  {
+    const internal::Exact_pair chord = internal::difference(piece.end(), piece.begin());
+    const Exact_rational squared_length = internal::exact_dot(chord, chord);
+    const bool is_close = std::all_of(piece.points().begin(), piece.points().end(), [&](const internal::Exact_pair& point) {
+      const internal::Exact_pair arm = internal::difference(point, piece.begin());
+      const Exact_rational height = internal::exact_cross(chord, arm), along = internal::exact_dot(chord, arm);
+      return height * height <= error * error * squared_length && along >= 0 && along <= squared_length;
+    });
+    if (is_close)
+      samples.push_back(internal::kernel_object<Kernel, Point>(piece.end()));
+    else
+      for (const internal::Hull_piece_2& half : piece.parts({internal::one_half()}))
+        append_samples(half, error, samples);
+  }
+
+  // The parameter of the begin or end of an arc such that all before it, or after it, is on the boundary.
+  const Exact_rational& certain_end(std::size_t i, int end) const
+  {
+    const Hull_edge_2& edge = m_edges[i];
+    const auto& [lower, upper] = (end == 0 ? edge.source : edge.target).parameters;
+    return edge.is_reversed() == (end == 0) ? lower : upper;
+  }
+
+  std::size_t before(std::size_t i) const { return (i + m_edges.size() - 1) % m_edges.size(); }
+  std::size_t after(std::size_t i) const { return (i + 1) % m_edges.size(); }
+
+  // Where the arcs next to a segment certainly belong to the boundary; points that are known exactly where there are no arcs.
+  std::array<internal::Exact_pair, 2> certain_segment(std::size_t i) const
+  {
+    const auto end = [&](const Hull_vertex_2& vertex, std::size_t neighbour, int side) {
+      return m_edges[neighbour].kind == Hull_edge_kind::ARC ? exact_point(m_edges[neighbour].source.curve, certain_end(neighbour, side)) : exact_point(vertex.curve, vertex.parameter());
+    };
+    return {end(m_edges[i].source, before(i), 1), end(m_edges[i].target, after(i), 0)};
+  }
+
+  // A bound for what is between that segment and the boundary: the hull of its ends and the parts of the arcs where these may end.
+  Exact_rational twice_area_beside_segment(std::size_t i) const
+  {
+    using Exact_point = internal::Exact_kernel::Point_2;
+    std::vector<Exact_point> points, hull;
+    for (const internal::Exact_pair& p : certain_segment(i))
+      points.emplace_back(p[0], p[1]);
+    for (const Hull_vertex_2& vertex : {m_edges[i].source, m_edges[i].target})
+      if (vertex.parameters.first < vertex.parameters.second)
+        for (const internal::Hull_piece_2& piece : pieces_between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
+          for (const internal::Exact_pair& p : piece.points())
+            points.emplace_back(p[0], p[1]);
+    CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+    Exact_rational result(0);
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      const Exact_point &p = hull[k], &q = hull[(k + 1) % hull.size()];
+      result += p.x() * q.y() - q.x() * p.y();
+    }
+    return result;
+  }
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_2_H
