@@ -5,7 +5,7 @@
 //
 // Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the two equations of
 // C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many numbers in the same kind of memory, which do nothing but the
-// loads, stores, additions, products and comparisons that the step cannot do without. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
+// loads, stores, additions, products and comparisons that the step cannot do without, and for the linear rows straight elimination, whose divisions wait for each other. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
 // roofline, medians over the iterations; and their ratio. (The column of times is that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
 //
 // split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
@@ -32,11 +32,13 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -44,6 +46,7 @@ namespace {
 namespace SC = CGAL::Spline_constraints;
 using SC::internal::Block;
 using SC::internal::System_layout;
+using SC::internal::unroll;
 
 using Node = SC::internal::Box_node<double>;
 
@@ -114,6 +117,7 @@ class Roofline
   std::vector<double> m_first, m_second, m_third;
 
 public:
+  // For ranges of so many numbers; longer ones are taken in parts.
   explicit Roofline(std::size_t size)
     : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125)
   {}
@@ -173,7 +177,63 @@ public:
     accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
   }
 
+  // What the linear rows cannot do without: elimination in place, in which each pivot waits for the one before, and then the products of the inverse with rows and right-hand sides, and a quotient per row.
+  template <int n>
+  void precondition()
+  {
+    const Square<n> rows = some_rows<n>(), product = multiply<n>(eliminate<n>(rows), rows);
+    unroll<n>([&](auto i) {
+      unroll<n>([&](auto j) { m_third[i * n + j] = product[i][j]; });
+      unroll<2>([&](auto j) { m_second[i * n + j] = product[i][j] / product[i][i]; });
+    });
+    benchmark::ClobberMemory();
+  }
+
+  template <int n>
+  void invert()
+  {
+    const Square<n> inverse = eliminate<n>(some_rows<n>());
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { m_third[i * n + j] = inverse[i][j]; }); });
+    benchmark::ClobberMemory();
+  }
+
 private:
+  template <int n>
+  using Square = std::array<std::array<double, n>, n>;
+
+  template <int n>
+  Square<n> some_rows() const
+  {
+    Square<n> rows;
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { rows[i][j] = m_first[i * n + j] + (i == j ? 1 : 0); }); });
+    return rows;
+  }
+
+  template <int n>
+  static Square<n> eliminate(Square<n> rows)
+  {
+    unroll<n>([&](auto k) {
+      const double factor = 1 / rows[k][k];
+      rows[k][k] = 1;
+      unroll<n>([&](auto j) { rows[k][j] *= factor; });
+      unroll<n>([&](auto i) {
+        if constexpr (i != k) {
+          const double a = std::exchange(rows[i][k], 0.0);
+          unroll<n>([&](auto j) { rows[i][j] -= a * rows[k][j]; });
+        }
+      });
+    });
+    return rows;
+  }
+
+  template <int n>
+  static Square<n> multiply(const Square<n>& a, const Square<n>& b)
+  {
+    Square<n> product{};
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { unroll<n>([&](auto k) { product[i][j] += a[i][k] * b[k][j]; }); }); });
+    return product;
+  }
+
   template <class Step>
   void accumulate(std::size_t size, const Step& step) const
   {
@@ -241,7 +301,7 @@ struct Fixture
   SC::Preconditioned_reduction reduction;
   SC::Local_box box;
   std::vector<double> bounds;
-  Roofline roofline{layout.size};
+  Roofline roofline{(std::max)(layout.size, 2 * layout.errors + layout.functions + 2 * layout.dimension)};
 
   Fixture(const System_layout& given_layout, int given_degree)
     : layout(given_layout), degree(given_degree), n(layout.dimension), size(layout.size)
@@ -256,6 +316,10 @@ struct Fixture
   void forget() { view.reset(node.coefficients.data(), node.errors.data()); }
 
   // Rooflines.
+  // What a node has beside its coefficients: two bounds per block and function, the scales of the functions and the box.
+  void plain_copy_of_the_rest() { roofline.copy(2 * layout.errors + layout.functions + 2 * n); }
+  void plain_precondition() { n == 2 ? roofline.precondition<2>() : n == 3 ? roofline.precondition<3>() : roofline.precondition<4>(); }
+  void plain_invert() { n == 2 ? roofline.invert<2>() : n == 3 ? roofline.invert<3>() : roofline.invert<4>(); }
   void plain_linear()
   {
     roofline.bound(size);
@@ -284,6 +348,7 @@ void split(benchmark::State& state, const System_layout& layout, int degree)
     for (int j = 0; j < f.n; ++j) {
       f.roofline.means(f.share() * degree / 2);
       f.roofline.copy(f.size);
+      f.plain_copy_of_the_rest();
     }
   });
 }
@@ -322,7 +387,6 @@ void linear(benchmark::State& state, const System_layout& layout, int degree)
   compare(state, f.size, 1, step, [&] { f.plain_linear(); });
 }
 
-// About 2 n^3 multiply-adds to eliminate and n^3 for the products.
 void precondition(benchmark::State& state, const System_layout& layout, int degree)
 {
   Fixture f(layout, degree);
@@ -332,7 +396,7 @@ void precondition(benchmark::State& state, const System_layout& layout, int degr
     f.linear.precondition(f.view);
     benchmark::DoNotOptimize(f.linear.reach(0));
   };
-  compare(state, f.size, 1, step, [&] { f.roofline.blends(3 * f.n * f.n * f.n / 2); });
+  compare(state, f.size, 1, step, [&] { f.plain_precondition(); });
 }
 
 void reduction(benchmark::State& state, const System_layout& layout, int degree)
@@ -346,7 +410,7 @@ void reduction(benchmark::State& state, const System_layout& layout, int degree)
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();
-    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    f.plain_precondition();
     if (f.is_dense())
       f.roofline.bound(f.size);   // layers along the first axis come with the bounds; those along all others
   });
@@ -360,7 +424,10 @@ void dense(benchmark::State& state, const System_layout& layout, int degree)
   f.forget();
   f.view.slopes(0);
   compare(state, f.size, 1, [&] { benchmark::DoNotOptimize(preconditioner.apply(f.view)); },
-          [&] { f.roofline.blends(f.size * f.n / 2); });
+          [&] {
+            f.plain_invert();
+            f.roofline.blends(f.size * f.n / 2);
+          });
 }
 
 void derivatives(benchmark::State& state, const System_layout& layout, int degree)
@@ -386,8 +453,9 @@ void image(benchmark::State& state, const System_layout& layout, int degree)
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();
-    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    f.plain_precondition();
     f.plain_derivatives();
+    f.roofline.blends(3 * f.n * f.n * f.n / 2);   // three products per entry of C and of J: middles, radii and rounding
   });
 }
 
