@@ -5,7 +5,8 @@
 //
 // Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the two equations of
 // C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many numbers in the same kind of memory, which do nothing but the
-// loads, stores, additions, products and comparisons that the step cannot do without, and for the linear rows straight elimination, whose divisions wait for each other. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
+// loads, stores, additions, products and comparisons that the step cannot do without; for the linear rows straight elimination, whose divisions wait for each other. Steps with such rows let each
+// call wait for a result of the one before. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
 // roofline, medians over the iterations; and their ratio. (The column of times is that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
 //
 // split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
@@ -482,10 +483,11 @@ bool add_all()
                                                        {"precondition", precondition}, {"reduction", reduction}, {"dense", dense},
                                                        {"derivatives", derivatives}, {"image", image}};
   for (const auto& [name, run] : steps) {
+    const int largest = run == precondition ? 2 : 10;   // linear rows do not know the degree
     for (int n : {2, 3, 4})
-      for (int degree = 2; degree <= 10; ++degree)
+      for (int degree = 2; degree <= largest; ++degree)
         add(name + "/dense", run, make_dense(n, degree), degree);
-    for (int degree = 2; degree <= 10; ++degree)
+    for (int degree = 2; degree <= largest; ++degree)
       add(name + "/curves", run, make_curves(degree), degree);
   }
   return true;
