@@ -5,7 +5,8 @@
 //
 // Names are step/family/unknowns/degree: `dense` is one tensor over all unknowns with as many equations, `curves` the two equations of
 // C1(t) = C2(s). Each step is timed in turns with its *roofline*: plain vector loops over as many numbers in the same kind of memory, which do nothing but the
-// loads, stores, additions, products and comparisons that the step cannot do without. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
+// loads, stores, additions, products and comparisons that the step cannot do without; for the linear rows straight elimination, whose divisions wait for each other. Steps with such rows let each
+// call wait for a result of the one before. Counters: coefficients of the node; nanoseconds per coefficient of the step and of the
 // roofline, medians over the iterations; and their ratio. (The column of times is that of a batch of calls.) Steps include those that they need, each from a node of which nothing is known:
 //
 // split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
@@ -32,11 +33,13 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -44,6 +47,7 @@ namespace {
 namespace SC = CGAL::Spline_constraints;
 using SC::internal::Block;
 using SC::internal::System_layout;
+using SC::internal::unroll;
 
 using Node = SC::internal::Box_node<double>;
 
@@ -103,6 +107,13 @@ void reset_box(Node& node)
   std::fill(node.upper.begin(), node.upper.end(), 1.0);
 }
 
+// Lets the next call wait for a result of this one, as a node waits for what its parent was contracted to: else the machine works on several at once.
+void wait_for(double& input, double result)
+{
+  input += 0 * result;
+  benchmark::ClobberMemory();
+}
+
 /*
 The rooflines. Eight numbers are taken at a time, enough to keep the arithmetic units busy.
 */
@@ -114,6 +125,7 @@ class Roofline
   std::vector<double> m_first, m_second, m_third;
 
 public:
+  // For ranges of so many numbers; longer ones are taken in parts.
   explicit Roofline(std::size_t size)
     : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125)
   {}
@@ -173,7 +185,63 @@ public:
     accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
   }
 
+  // What the linear rows cannot do without: elimination in place, in which each pivot waits for the one before, and then the products of the inverse with rows and right-hand sides, and a quotient per row.
+  template <int n>
+  void precondition()
+  {
+    const Square<n> rows = some_rows<n>(), product = multiply<n>(eliminate<n>(rows), rows);
+    unroll<n>([&](auto i) {
+      unroll<n>([&](auto j) { m_third[i * n + j] = product[i][j]; });
+      unroll<2>([&](auto j) { m_second[i * n + j] = product[i][j] / product[i][i]; });
+    });
+    wait_for(m_first[0], m_second[0]);
+  }
+
+  template <int n>
+  void invert()
+  {
+    const Square<n> inverse = eliminate<n>(some_rows<n>());
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { m_third[i * n + j] = inverse[i][j]; }); });
+    wait_for(m_first[0], m_third[0]);
+  }
+
 private:
+  template <int n>
+  using Square = std::array<std::array<double, n>, n>;
+
+  template <int n>
+  Square<n> some_rows() const
+  {
+    Square<n> rows;
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { rows[i][j] = m_first[i * n + j] + (i == j ? 1 : 0); }); });
+    return rows;
+  }
+
+  template <int n>
+  static Square<n> eliminate(Square<n> rows)
+  {
+    unroll<n>([&](auto k) {
+      const double factor = 1 / rows[k][k];
+      rows[k][k] = 1;
+      unroll<n>([&](auto j) { rows[k][j] *= factor; });
+      unroll<n>([&](auto i) {
+        if constexpr (i != k) {
+          const double a = std::exchange(rows[i][k], 0.0);
+          unroll<n>([&](auto j) { rows[i][j] -= a * rows[k][j]; });
+        }
+      });
+    });
+    return rows;
+  }
+
+  template <int n>
+  static Square<n> multiply(const Square<n>& a, const Square<n>& b)
+  {
+    Square<n> product{};
+    unroll<n>([&](auto i) { unroll<n>([&](auto j) { unroll<n>([&](auto k) { product[i][j] += a[i][k] * b[k][j]; }); }); });
+    return product;
+  }
+
   template <class Step>
   void accumulate(std::size_t size, const Step& step) const
   {
@@ -241,7 +309,7 @@ struct Fixture
   SC::Preconditioned_reduction reduction;
   SC::Local_box box;
   std::vector<double> bounds;
-  Roofline roofline{layout.size};
+  Roofline roofline{(std::max)(layout.size, 2 * layout.errors + layout.functions + 2 * layout.dimension)};
 
   Fixture(const System_layout& given_layout, int given_degree)
     : layout(given_layout), degree(given_degree), n(layout.dimension), size(layout.size)
@@ -256,6 +324,10 @@ struct Fixture
   void forget() { view.reset(node.coefficients.data(), node.errors.data()); }
 
   // Rooflines.
+  // What a node has beside its coefficients: two bounds per block and function, the scales of the functions and the box.
+  void plain_copy_of_the_rest() { roofline.copy(2 * layout.errors + layout.functions + 2 * n); }
+  void plain_precondition() { n == 2 ? roofline.precondition<2>() : n == 3 ? roofline.precondition<3>() : roofline.precondition<4>(); }
+  void plain_invert() { n == 2 ? roofline.invert<2>() : n == 3 ? roofline.invert<3>() : roofline.invert<4>(); }
   void plain_linear()
   {
     roofline.bound(size);
@@ -284,6 +356,7 @@ void split(benchmark::State& state, const System_layout& layout, int degree)
     for (int j = 0; j < f.n; ++j) {
       f.roofline.means(f.share() * degree / 2);
       f.roofline.copy(f.size);
+      f.plain_copy_of_the_rest();
     }
   });
 }
@@ -322,17 +395,16 @@ void linear(benchmark::State& state, const System_layout& layout, int degree)
   compare(state, f.size, 1, step, [&] { f.plain_linear(); });
 }
 
-// About 2 n^3 multiply-adds to eliminate and n^3 for the products.
 void precondition(benchmark::State& state, const System_layout& layout, int degree)
 {
   Fixture f(layout, degree);
   f.forget();
-  f.view.slopes(0);
+  double& slope = const_cast<double&>(*f.view.slopes(0));
   const auto step = [&] {
     f.linear.precondition(f.view);
-    benchmark::DoNotOptimize(f.linear.reach(0));
+    wait_for(slope, f.linear.reach(0));
   };
-  compare(state, f.size, 1, step, [&] { f.roofline.blends(3 * f.n * f.n * f.n / 2); });
+  compare(state, f.size, 1, step, [&] { f.plain_precondition(); });
 }
 
 void reduction(benchmark::State& state, const System_layout& layout, int degree)
@@ -342,11 +414,12 @@ void reduction(benchmark::State& state, const System_layout& layout, int degree)
     f.forget();
     f.linear.precondition(f.view);
     f.box.reset(f.n);
-    benchmark::DoNotOptimize(f.reduction.contract(f.view, f.linear, f.box));
+    f.reduction.contract(f.view, f.linear, f.box);
+    wait_for(f.node.coefficients[0], f.box.lower[0]);
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();
-    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    f.plain_precondition();
     if (f.is_dense())
       f.roofline.bound(f.size);   // layers along the first axis come with the bounds; those along all others
   });
@@ -358,9 +431,12 @@ void dense(benchmark::State& state, const System_layout& layout, int degree)
   SC::internal::Dense_preconditioner preconditioner;
   preconditioner.prepare(f.layout);
   f.forget();
-  f.view.slopes(0);
-  compare(state, f.size, 1, [&] { benchmark::DoNotOptimize(preconditioner.apply(f.view)); },
-          [&] { f.roofline.blends(f.size * f.n / 2); });
+  double& slope = const_cast<double&>(*f.view.slopes(0));
+  compare(state, f.size, 1, [&] { wait_for(slope, *preconditioner.apply(f.view)->coefficients()); },
+          [&] {
+            f.plain_invert();
+            f.roofline.blends(f.size * f.n / 2);
+          });
 }
 
 void derivatives(benchmark::State& state, const System_layout& layout, int degree)
@@ -382,12 +458,13 @@ void image(benchmark::State& state, const System_layout& layout, int degree)
   const auto step = [&] {
     f.forget();
     f.linear.precondition(f.view);
-    benchmark::DoNotOptimize(SC::contraction_bound(f.view, f.linear, f.bounds));
+    wait_for(f.node.coefficients[0], SC::contraction_bound(f.view, f.linear, f.bounds));
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();
-    f.roofline.blends(3 * f.n * f.n * f.n / 2);
+    f.plain_precondition();
     f.plain_derivatives();
+    f.roofline.blends(3 * f.n * f.n * f.n / 2);   // three products per entry of C and of J: middles, radii and rounding
   });
 }
 
@@ -406,10 +483,11 @@ bool add_all()
                                                        {"precondition", precondition}, {"reduction", reduction}, {"dense", dense},
                                                        {"derivatives", derivatives}, {"image", image}};
   for (const auto& [name, run] : steps) {
+    const int largest = run == precondition ? 2 : 10;   // linear rows do not know the degree
     for (int n : {2, 3, 4})
-      for (int degree = 2; degree <= 10; ++degree)
+      for (int degree = 2; degree <= largest; ++degree)
         add(name + "/dense", run, make_dense(n, degree), degree);
-    for (int degree = 2; degree <= 10; ++degree)
+    for (int degree = 2; degree <= largest; ++degree)
       add(name + "/curves", run, make_curves(degree), degree);
   }
   return true;

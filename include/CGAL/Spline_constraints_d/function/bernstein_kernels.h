@@ -96,14 +96,14 @@ inline void keep_after(Number (&b)[degree + 1], const Mean& mean)
 template <int degree, class Change>
 inline void change_lines(double* data, const Axis_view& view, const Change& change)
 {
-  const std::size_t inner = view.inner;
+  const std::size_t inner = view.inner, outer = view.outer;
   const auto change_at = [&]<class Number>(const Number&, std::size_t position) {
     Number b[degree + 1];
     unroll<degree + 1>([&](auto k) { b[k] = load(Number(), data + position + k * inner); });
     change(b, position);
     unroll<degree + 1>([&](auto k) { store(data + position + k * inner, b[k]); });
   };
-  for (std::size_t o = 0; o < view.outer; ++o) {
+  for (std::size_t o = 0; o < outer; ++o) {
     std::size_t position = o * inner * (degree + 1);
     const std::size_t end = position + inner;
     for (; position + pack_size <= end; position += pack_size)
@@ -134,8 +134,8 @@ inline void split(NT* data, NT* after, const Axis_view& view, const Mean& mean)
   run_de_casteljau<NT>(
     view.degree,
     [&](auto degree) {
-      change_lines<degree>(data, view, [&](auto& b, std::size_t position) {
-        keep_before<degree>(b, mean, [&](std::size_t k, const auto& x) { store(after + position + k * view.inner, x); });
+      change_lines<degree>(data, view, [&, inner = view.inner](auto& b, std::size_t position) {
+        keep_before<degree>(b, mean, [&](std::size_t k, const auto& x) { store(after + position + k * inner, x); });
       });
     },
     [&] { split_rows(data, after, view, mean); });

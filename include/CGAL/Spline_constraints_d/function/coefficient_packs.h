@@ -341,6 +341,21 @@ inline void bound_over_axis(const double* lower, const double* upper, std::size_
   });
 }
 
+// A row of fewer numbers costs more to be taken in long steps than they save.
+constexpr std::size_t least_row = 48;
+
+// Bounds per function of a row of so many numbers that bound from below and as many that bound from above.
+template <int members>
+inline void bound_row(std::size_t functions, std::size_t size, const double* lower, const double* upper, double* least, double* most)
+{
+  if (size < least_row)
+    bound_over_axis(lower, upper, size / functions, functions, least, most);
+  else
+    bound_ranges<members>(
+      functions, {1, 0, size}, [&](auto type, std::size_t, std::size_t i) { return load(type, lower + i); },
+      [&](auto type, std::size_t, std::size_t i) { return load(type, upper + i); }, least, most);
+}
+
 inline void sum_over_axis(const double* data, std::size_t count, std::size_t size, double* sum)
 {
   for_each_place(size, [&](auto type, std::size_t i) {

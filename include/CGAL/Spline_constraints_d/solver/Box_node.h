@@ -93,6 +93,17 @@ bool is_one_half(const NT& parameter)
   }
 }
 
+// For few numbers, where the call of a library function would cost more than they do.
+template <class T>
+void copy_few(const std::vector<T>& from, std::vector<T>& to)
+{
+  if constexpr (std::is_same_v<T, double>)
+    for_each_place(from.size(), [source = from.data(), target = to.data()](auto type, std::size_t i) { store(target + i, load(type, source + i)); });
+  else
+    for (std::size_t i = 0, size = from.size(); i < size; ++i)
+      to[i] = from[i];
+}
+
 /*
 A box of the subdivision with the Bernstein coefficients of all functions on exactly this box. Doubles carry a bound on their error per block and function
 (unpadded doubles lose roots); other number types carry their error themselves.
@@ -133,14 +144,19 @@ struct Box_node
   void copy_from(const Box_node& other)
   {
     std::copy(other.coefficients.begin(), other.coefficients.end(), coefficients.begin());
-    std::copy(other.errors.begin(), other.errors.end(), errors.begin());
-    std::copy(other.sizes.begin(), other.sizes.end(), sizes.begin());
-    std::copy(other.scale.begin(), other.scale.end(), scale.begin());
-    std::copy(other.lower.begin(), other.lower.end(), lower.begin());
-    std::copy(other.upper.begin(), other.upper.end(), upper.begin());
+    copy_box_and_errors(other);
   }
 
 private:
+  void copy_box_and_errors(const Box_node& other)
+  {
+    copy_few(other.errors, errors);
+    copy_few(other.sizes, sizes);
+    copy_few(other.scale, scale);
+    copy_few(other.lower, lower);
+    copy_few(other.upper, upper);
+  }
+
   /*
   Adds what `cuts` de Casteljau schemes of a degree d may add to the error E of coefficients bounded by M, with u = 2^-52 for any rounding mode. A cut does d
   levels s a + t b, each with two products, a sum and the rounding of s = 1 - t: at most 3 u M a level. Its parameter is a quotient of two rounded
@@ -149,13 +165,13 @@ private:
   */
   void add_error(const Block& block, int degree, int cuts, double growth)
   {
-    const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40);
-    for (std::size_t m = 0; m < block.functions.size(); ++m) {
-      double& error = errors[block.first_error + m];
-      double& size = sizes[block.first_error + m];
-      size *= power;
-      error = error * power + 10 * cuts * degree * 0x1p-52 * (size + error * power);
-    }
+    const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40), relative = 10 * cuts * degree * 0x1p-52;
+    double *error = errors.data() + block.first_error, *size = sizes.data() + block.first_error;
+    for_each_place(block.functions.size(), [=](auto type, std::size_t m) {
+      const auto grown_error = load(type, error + m) * power, grown_size = load(type, size + m) * power;
+      store(size + m, grown_size);
+      store(error + m, grown_error + (grown_size + grown_error) * relative);
+    });
   }
 };
 
@@ -164,19 +180,16 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
 {
   const Coordinate cut = place_between(lower[axis], upper[axis], t);
   const NT parameter = local_parameter<NT>(lower[axis], upper[axis], cut);
-  std::copy(lower.begin(), lower.end(), above.lower.begin());
-  std::copy(upper.begin(), upper.end(), above.upper.begin());
-  upper[axis] = cut;
-  above.lower[axis] = cut;
 
   std::size_t next = 0;   // blocks without this axis are copied
   const auto& affected = layout.blocks_of_axis[axis];
-  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+  const std::size_t affected_blocks = affected.size(), blocks = layout.blocks.size();
+  for (std::size_t b = 0; b < blocks; ++b) {
     const Block& block = layout.blocks[b];
     NT* data = coefficients.data() + block.offset;
     NT* after = above.coefficients.data() + block.offset;
-    if (next < affected.size() && affected[next].block == b) {
-      const Axis_view& view = affected[next++].view;
+    if (next < affected_blocks && affected[next].block == b) {
+      const Axis_view view = affected[next++].view;
       if (is_one_half(parameter))
         split_at_one_half(data, after, view);
       else
@@ -186,9 +199,9 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
     } else
       std::copy(data, data + block.size(), after);
   }
-  std::copy(errors.begin(), errors.end(), above.errors.begin());
-  std::copy(sizes.begin(), sizes.end(), above.sizes.begin());
-  std::copy(scale.begin(), scale.end(), above.scale.begin());
+  above.copy_box_and_errors(*this);
+  upper[axis] = cut;
+  above.lower[axis] = cut;
 }
 
 template <class NT>

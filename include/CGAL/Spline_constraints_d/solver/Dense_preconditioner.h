@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DENSE_PRECONDITIONER_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_DENSE_PRECONDITIONER_H
 
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -88,7 +90,7 @@ private:
         for (std::size_t i = 0; i < members; ++i) {
           const std::size_t entry = source.first_error + i;
           const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
-          error += std::abs(m_columns[j * members + i]) * (node.errors()[entry] + analysis_error * size);
+          error += std::abs(m_columns[i * n + j]) * (node.errors()[entry] + analysis_error * size);
         }
         m_errors[target.first_error + j] = error * (1 + analysis_error);
       }
@@ -109,32 +111,46 @@ private:
     const std::size_t n = m_layout.equalities, members = members_of(block, m_layout.equalities);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < members; ++i)
-        m_columns[j * members + i] = m_matrix[j * n + block.functions[i]];
+        m_columns[i * n + j] = m_matrix[j * n + block.functions[i]];
     return members;
   }
 
   // to <- C from, control point by control point; sizes known to the compiler where it pays.
   void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to) const
   {
-    switch (static_cast<int>(members) == m_layout.equalities ? m_layout.equalities : 0) {
-    case 2: return multiply_fixed<2>(from, stride, members, points, to);
-    case 3: return multiply_fixed<3>(from, stride, members, points, to);
-    case 4: return multiply_fixed<4>(from, stride, members, points, to);
-    case 5: return multiply_fixed<5>(from, stride, members, points, to);
-    case 6: return multiply_fixed<6>(from, stride, members, points, to);
-    default: return multiply_fixed<Eigen::Dynamic>(from, stride, members, points, to);
-    }
+    run_with_constant<6>(static_cast<int>(members) == m_layout.equalities ? members : 0, [&](auto size) {
+      if constexpr (size > 0)
+        multiply_fixed<size>(from, stride, points, to);
+      else {
+        const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members), count = static_cast<Eigen::Index>(points);
+        const Eigen::Map<const Eigen::MatrixXd> matrix(m_columns.data(), rows, columns);
+        const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
+        Eigen::Map<Eigen::MatrixXd>(to, rows, count).noalias() = matrix.lazyProduct(source);
+      }
+    });
   }
 
+  // The columns of C stay in registers, two rows in one.
   template <int n>
-  void multiply_fixed(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to) const
+  void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to) const
   {
-    const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members), count = static_cast<Eigen::Index>(points);
-    using Matrix = Eigen::Matrix<double, n, n, Eigen::RowMajor>;
-    using Points = Eigen::Matrix<double, n, Eigen::Dynamic>;
-    const Eigen::Map<const Matrix> matrix(m_columns.data(), rows, columns);
-    const Eigen::Map<const Points, 0, Eigen::OuterStride<>> source(from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
-    Eigen::Map<Points>(to, rows, count).noalias() = matrix.lazyProduct(source);
+    constexpr int packs = n / pack_size;
+    Pack columns[n][packs + 1];   // one more, since there are no arrays of none
+    double last_row[n];
+    unroll<n>([&](auto i) {
+      unroll<packs>([&](auto r) { columns[i][r] = load(Pack(), m_columns.data() + i * n + r * pack_size); });
+      last_row[i] = m_columns[i * n + n - 1];
+    });
+    const auto product = [&](const auto& entry) {
+      auto sum = entry(std::integral_constant<int, 0>()) * from[0];
+      unroll<n - 1>([&](auto i) { sum = sum + entry(std::integral_constant<int, i + 1>()) * from[i + 1]; });
+      return sum;
+    };
+    for (std::size_t p = 0; p < points; ++p, from += stride, to += n) {
+      unroll<packs>([&](auto r) { store(to + r * pack_size, product([&](auto i) { return columns[i][r]; })); });
+      if constexpr (n % pack_size != 0)
+        store(to + n - 1, product([&](auto i) { return last_row[i]; }));
+    }
   }
 
   void lay_out(const System_layout& source)

@@ -142,6 +142,7 @@ private:
   void eliminate(Node_view& node);
   template <int size>
   void multiply(Node_view& node);
+  template <int size>
   void bound_unknowns();
   template <int size>
   bool contract_by_row(const double* row, double lower, double upper, Local_box& box) const;
@@ -188,9 +189,9 @@ inline void Linear_enclosure::precondition(Node_view& node)
   run_with_size([&](auto size) {
     eliminate<size>(node);
     multiply<size>(node);
+    if (has_inverse())
+      bound_unknowns<size>();
   });
-  if (has_inverse())
-    bound_unknowns();
 }
 
 // Gauss-Jordan with full pivoting, rows weighed by what they can still contract: a row whose interval part is larger than half its pivot bounds nothing and would
@@ -287,20 +288,22 @@ void Linear_enclosure::multiply(Node_view& node)
   }
 }
 
-inline void Linear_enclosure::bound_unknowns()
+// Three roundings, of the reciprocal and the products, are small beside the analysis error.
+template <int size>
+void Linear_enclosure::bound_unknowns()
 {
-  for (int i = 0; i < m_equations; ++i) {
+  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
+  for (int i = 0; i < m; ++i) {
     const int pivot = m_pivot_of_row[i];
     if (pivot < 0)
       continue;
-    const double* row = m_product.data() + i * m_dimension;
-    double reach = 0.5 * (m_upper[i] - m_lower[i]), size = (std::max)(std::abs(m_lower[i]), std::abs(m_upper[i]));
-    for (int k = 0; k < m_dimension; ++k)
-      if (k != pivot)
-        reach += 0.5 * std::abs(row[k]);
-    const double own = row[pivot];
-    m_centre[pivot] = -0.5 * (m_lower[i] + m_upper[i]) / own;
-    m_reach[pivot] = reach / std::abs(own) + internal::analysis_error * (size + reach) / std::abs(own);
+    const double *row = m_product.data() + i * n, own = row[pivot], lower = m_lower[i], upper = m_upper[i];
+    double reach = 0.5 * (upper - lower);
+    for (int k = 0; k < n; ++k)
+      reach += k == pivot ? 0 : 0.5 * std::abs(row[k]);
+    const double factor = 1 / own, magnitude = (std::max)(std::abs(lower), std::abs(upper));
+    m_centre[pivot] = -0.5 * (lower + upper) * factor;
+    m_reach[pivot] = (reach + internal::analysis_error * (magnitude + reach)) * std::abs(factor);
   }
 }
 

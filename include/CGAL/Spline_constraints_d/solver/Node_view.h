@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H
 
+#include <CGAL/Spline_constraints_d/function/affine_kernels.h>
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/solver/System_layout.h>
 
@@ -42,15 +43,21 @@ class Node_view
   const double* m_errors = nullptr;
   bool m_has_bounds = false, m_has_affine = false, m_has_derivatives = false;
 
-  // What is known of a block before its coefficients are.
+  // What is known of a block before its coefficients are, and the passes over them, chosen for its numbers of functions and axes.
   struct Plan
   {
     std::size_t over_first;          // of the bounds over its first axis
     std::size_t greville;            // of the first axis: k/d - 1/2, axis after axis
     std::size_t row, slow_axes;      // the linear part is tabulated on a row, over the axes from slow_axes on
+    std::size_t layer_scales = 0;    // of the first axis: one over the number of control points in a layer
+    void (Node_view::*bound)(const internal::Block&, const Plan&) = nullptr;
+    void (Node_view::*enclose)(const internal::Block&, const Plan&) = nullptr;
+    void (Node_view::*bound_differences)(const internal::Block&, std::size_t axis) = nullptr;
   };
+  static constexpr int most_axes_of_small = 4;   // as measured: enclose_small_block() is faster up to here
+  static constexpr std::size_t most_coefficients_of_small = 1000;
   std::vector<Plan> m_plans;
-  std::vector<double> m_greville, m_storage;   // all of the following lies in one piece
+  std::vector<double> m_greville, m_layer_scales, m_storage;   // all of the following lies in one piece
 
   std::span<double> m_block_lower, m_block_upper;            // per block and function
   std::span<double> m_hull, m_affine, m_derivatives;         // sums over the blocks, whose parts are
@@ -135,6 +142,10 @@ private:
 
   template <int members>
   void bound_block(const internal::Block& block, const Plan& plan);
+  void enclose_line(const internal::Block& block, const Plan& plan);
+  void add_enclosure(const internal::Block& block);
+  template <int axes>
+  void enclose_small_block(const internal::Block& block, const Plan& plan);
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
   template <int members>
@@ -146,17 +157,9 @@ private:
   template <int members>
   void bound_differences(const internal::Block& block, std::size_t axis);
 
-  // run(block, plan, integral_constant<int, members>) for every block; members is 0 for more functions than it pays to tell apart.
-  template <class Run>
-  void visit_blocks(const Run& run)
-  {
-    for (std::size_t b = 0; b < m_plans.size(); ++b) {
-      const internal::Block& block = m_layout->blocks[b];
-      internal::run_with_constant<6>(block.functions.size(), [&](auto members) { run(block, m_plans[b], members); });
-    }
-  }
+  void choose_passes(const internal::Block& block, Plan& plan);
 
-  // The number of functions of a block, from visit_blocks().
+  // The number of functions of a block; `members` is 0 for more than it pays to tell apart.
   template <int members>
   static std::size_t functions_of(const internal::Block& block) { return members > 0 ? static_cast<std::size_t>(members) : block.functions.size(); }
 
@@ -169,7 +172,6 @@ private:
 inline Node_view::Node_view(const internal::System_layout& layout)
   : m_layout(&layout)
 {
-  constexpr std::size_t least_row = 48;   // for what is done once per row not to count
   const std::size_t functions = layout.functions, entries = functions * layout.dimension;
   std::size_t work = 1, members = 1, slopes = 1, layers = 1, over_first = 0, greville = 0;
   for (const internal::Block& block : layout.blocks)
@@ -180,7 +182,7 @@ inline Node_view::Node_view(const internal::System_layout& layout)
     const std::size_t m = block.functions.size(), axes = block.axes.size();
     Plan plan{over_first, m_greville.size(), block.size(), 0};
     for (std::size_t j = 0; j < axes; ++j) {
-      if (block.lengths[j] >= least_row) {
+      if (block.lengths[j] >= internal::least_row) {
         plan.row = block.lengths[j];
         plan.slow_axes = j;
       }
@@ -188,6 +190,10 @@ inline Node_view::Node_view(const internal::System_layout& layout)
         m_greville.push_back(block.degrees[j] == 0 ? 0 : static_cast<double>(k) / block.degrees[j] - 0.5);
       layers = (std::max)(layers, m * (block.degrees[j] + 1));
     }
+    plan.layer_scales = m_layer_scales.size();
+    for (std::size_t j = 0; j < axes; ++j)
+      m_layer_scales.push_back((block.degrees[j] + 1.0) / static_cast<double>(block.points));
+    choose_passes(block, plan);
     m_plans.push_back(plan);
     over_first += inner_size(block);
     work = (std::max)({work, plan.row, 2 * inner_size(block)});
@@ -210,21 +216,32 @@ inline Node_view::Node_view(const internal::System_layout& layout)
   m_index.resize(layout.dimension);
 }
 
+inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
+{
+  internal::run_with_constant<6>(block.functions.size(), [&](auto members) {
+    plan.bound = is_line(block) ? &Node_view::bound_line<members> : &Node_view::bound_block<members>;
+    plan.enclose = is_line(block) ? &Node_view::enclose_line : &Node_view::enclose_block<members>;
+    plan.bound_differences = &Node_view::bound_differences<members>;
+  });
+  if (block.functions.size() > 1 && block.size() <= most_coefficients_of_small)
+    internal::run_with_constant<most_axes_of_small>(block.axes.size(), [&](auto axes) {
+      if constexpr (axes > 1)
+        plan.enclose = &Node_view::enclose_small_block<axes>;
+    });
+}
+
 inline void Node_view::bound_blocks()
 {
   m_has_bounds = true;
   std::fill(m_hull.begin(), m_hull.end(), 0.0);
-  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
-    if (is_line(block))
-      bound_line<members>(block, plan);
-    else
-      bound_block<members>(block, plan);
-    const std::size_t functions = functions_of<members>(block);
-    for (std::size_t m = 0; m < functions; ++m) {
+  for (std::size_t b = 0; b < m_plans.size(); ++b) {
+    const internal::Block& block = m_layout->blocks[b];
+    (this->*m_plans[b].bound)(block, m_plans[b]);
+    for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
       m_hull_lower[block.functions[m]] += m_block_lower[block.first_error + m];
       m_hull_upper[block.functions[m]] += m_block_upper[block.first_error + m];
     }
-  });
+  }
 }
 
 // Bounds over the first axis are kept: they serve the layers along all others.
@@ -236,13 +253,7 @@ void Node_view::bound_block(const internal::Block& block, const Plan& plan)
   double *least = m_least_over_first.data() + plan.over_first, *most = m_most_over_first.data() + plan.over_first;
   double *lower = m_block_lower.data() + block.first_error, *upper = m_block_upper.data() + block.first_error;
   internal::bound_over_axis(data, block.size() / inner, inner, least, most);
-  if (inner == functions) {
-    std::copy_n(least, functions, lower);
-    std::copy_n(most, functions, upper);
-  } else
-    internal::bound_ranges<members>(
-      functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, least + i); },
-      [&](auto type, std::size_t, std::size_t i) { return internal::load(type, most + i); }, lower, upper);
+  internal::bound_row<members>(functions, inner, least, most, lower, upper);
   const double* errors = m_errors + block.first_error;
   for (std::size_t m = 0; m < functions; ++m) {
     const double error = errors[m] + internal::analysis_error * (std::max)(std::abs(lower[m]), std::abs(upper[m]));
@@ -258,26 +269,14 @@ void Node_view::bound_line(const internal::Block& block, const Plan& plan)
   const std::size_t functions = functions_of<members>(block), count = block.points, entry = block.first_error;
   const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
   internal::for_each_place(functions, [&](auto type, std::size_t m) {
-    const auto first = internal::load(type, data + m);
-    auto least = first, most = first, rest_least = first, rest_most = first, slope = first - first;
-    if (count > 1) {
-      slope = internal::load(type, data + (count - 1) * functions + m) - first;
-      rest_least = rest_most = first - slope * greville[0];
-      for (std::size_t k = 1; k < count; ++k) {
-        const auto value = internal::load(type, data + k * functions + m), rest = value - slope * greville[k];
-        least = internal::lesser(least, value);
-        most = internal::greater(most, value);
-        rest_least = internal::lesser(rest_least, rest);
-        rest_most = internal::greater(rest_most, rest);
-      }
-    }
-    const auto size = internal::greater(internal::magnitude(least), internal::magnitude(most)), given = internal::load(type, m_errors + entry + m);
-    const auto error = given + size * internal::analysis_error, rest_error = given + (size + internal::magnitude(slope)) * internal::analysis_error;
-    internal::store(m_block_lower.data() + entry + m, least - error);
-    internal::store(m_block_upper.data() + entry + m, most + error);
-    internal::store(m_line_slopes.data() + entry + m, slope);
-    internal::store(m_line_rest_lower.data() + entry + m, rest_least - rest_error);
-    internal::store(m_line_rest_upper.data() + entry + m, rest_most + rest_error);
+    const internal::Line_bounds<decltype(type)> line(data + m, count, functions, greville);
+    const auto size = internal::greater(internal::magnitude(line.least), internal::magnitude(line.most)), given = internal::load(type, m_errors + entry + m);
+    const auto error = given + size * internal::analysis_error, rest_error = given + (size + internal::magnitude(line.slope)) * internal::analysis_error;
+    internal::store(m_block_lower.data() + entry + m, line.least - error);
+    internal::store(m_block_upper.data() + entry + m, line.most + error);
+    internal::store(m_line_slopes.data() + entry + m, line.slope);
+    internal::store(m_line_rest_lower.data() + entry + m, line.rest_least - rest_error);
+    internal::store(m_line_rest_upper.data() + entry + m, line.rest_most + rest_error);
   });
 }
 
@@ -286,33 +285,57 @@ inline void Node_view::enclose_blocks()
   compute_bounds();
   m_has_affine = true;
   std::fill(m_affine.begin(), m_affine.end(), 0.0);
-  visit_blocks([&](const internal::Block& block, const Plan& plan, auto members) {
-    const std::size_t functions = functions_of<members>(block), axes = block.axes.size();
-    if (is_line(block)) {
-      for (std::size_t m = 0; m < functions; ++m) {
-        const std::size_t f = block.functions[m], entry = block.first_error + m;
-        if (axes == 1)
-          m_slopes[f * m_layout->dimension + block.axes[0]] += m_line_slopes[entry];
-        m_rest_lower[f] += m_line_rest_lower[entry];
-        m_rest_upper[f] += m_line_rest_upper[entry];
-      }
-      return;
+  for (std::size_t b = 0; b < m_plans.size(); ++b)
+    (this->*m_plans[b].enclose)(m_layout->blocks[b], m_plans[b]);
+}
+
+inline void Node_view::enclose_line(const internal::Block& block, const Plan&)
+{
+  for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
+    const std::size_t f = block.functions[m], entry = block.first_error + m;
+    if (!block.axes.empty())
+      m_slopes[f * m_layout->dimension + block.axes[0]] += m_line_slopes[entry];
+    m_rest_lower[f] += m_line_rest_lower[entry];
+    m_rest_upper[f] += m_line_rest_upper[entry];
+  }
+}
+
+// Adds what is known of a block to the functions.
+inline void Node_view::add_enclosure(const internal::Block& block)
+{
+  const std::size_t functions = block.functions.size(), axes = block.axes.size();
+  for (std::size_t m = 0; m < functions; ++m) {
+    const std::size_t f = block.functions[m], entry = block.first_error + m;
+    double total = (std::max)(std::abs(m_block_lower[entry]), std::abs(m_block_upper[entry]));
+    for (std::size_t j = 0; j < axes; ++j) {
+      const double slope = m_block_slopes[j * functions + m];
+      total += std::abs(slope);
+      m_slopes[f * m_layout->dimension + block.axes[j]] += slope;
     }
-    enclose_block<members>(block, plan);
-    for (std::size_t m = 0; m < functions; ++m) {
-      const int f = block.functions[m];
-      const std::size_t entry = block.first_error + m;
-      double total = (std::max)(std::abs(m_block_lower[entry]), std::abs(m_block_upper[entry]));
-      for (std::size_t j = 0; j < axes; ++j) {
-        const double slope = m_block_slopes[j * functions + m];
-        total += std::abs(slope);
-        m_slopes[static_cast<std::size_t>(f) * m_layout->dimension + block.axes[j]] += slope;
-      }
-      const double error = m_errors[entry] + internal::analysis_error * total;
-      m_rest_lower[f] += m_block_rest_lower[m] - error;
-      m_rest_upper[f] += m_block_rest_upper[m] + error;
-    }
+    const double error = m_errors[entry] + internal::analysis_error * total;
+    m_rest_lower[f] += m_block_rest_lower[m] - error;
+    m_rest_upper[f] += m_block_rest_upper[m] + error;
+  }
+}
+
+// The same as enclose_block() where few coefficients make tables and long rows not worth while.
+template <int axes>
+void Node_view::enclose_small_block(const internal::Block& block, const Plan& plan)
+{
+  const std::size_t functions = block.functions.size();
+  const internal::Tensor_shape shape{block.degrees.data(), block.lengths.data()};
+  const double *greville = m_greville.data() + plan.greville, *scales = m_layer_scales.data() + plan.layer_scales;
+  internal::for_each_place(functions, [&](auto type, std::size_t m) {
+    using Number = decltype(type);
+    const double* data = m_coefficients + block.offset + m;
+    Number slopes[axes], least(HUGE_VAL), most(-HUGE_VAL);
+    internal::sum_slopes<axes>(shape, data, scales, slopes);
+    internal::bound_rest<axes>(shape, data, greville, slopes, Number(0), least, most);
+    internal::unroll<axes>([&](auto j) { internal::store(m_block_slopes.data() + j * functions + m, slopes[j]); });
+    internal::store(m_block_rest_lower.data() + m, least);
+    internal::store(m_block_rest_upper.data() + m, most);
   });
+  add_enclosure(block);
 }
 
 // The slope along an axis is the mean of the last layer minus the mean of the first; what the linear function leaves of the control net
@@ -321,7 +344,7 @@ template <int members>
 void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
 {
   compute_slopes<members>(block);
-  const std::size_t functions = block.functions.size();
+  const std::size_t functions = functions_of<members>(block);
   const double *data = m_coefficients + block.offset, *line = m_work.data();
   tabulate<members>(block, plan, m_work.data());
   std::fill_n(m_index.begin(), plan.slow_axes, 0);
@@ -345,13 +368,14 @@ void Node_view::enclose_block(const internal::Block& block, const Plan& plan)
   };
   internal::bound_ranges<members>(functions, {block.size() / plan.row, plan.row, plan.row}, rest, rest, m_block_rest_lower.data(), m_block_rest_upper.data(),
                                   base);
+  add_enclosure(block);
 }
 
 // Sums over the slowest axis are taken once and serve all faster ones.
 template <int members>
 void Node_view::compute_slopes(const internal::Block& block)
 {
-  const std::size_t functions = block.functions.size(), axes = block.axes.size();
+  const std::size_t functions = functions_of<members>(block), axes = block.axes.size();
   const double* data = m_coefficients + block.offset;
   double points = 1;   // summed into each entry of `data`
   for (std::size_t j = 0; j < axes; ++j) {
@@ -375,7 +399,7 @@ void Node_view::compute_slopes(const internal::Block& block)
 template <int members>
 void Node_view::tabulate(const internal::Block& block, const Plan& plan, double* line)
 {
-  const std::size_t functions = block.functions.size();
+  const std::size_t functions = functions_of<members>(block);
   const double* greville = m_greville.data() + plan.greville;
   for (std::size_t j = 0; j < block.axes.size(); ++j)
     greville += block.degrees[j] + 1;
@@ -393,11 +417,12 @@ inline void Node_view::bound_derivatives()
   compute_bounds();
   m_has_derivatives = true;
   std::fill(m_derivatives.begin(), m_derivatives.end(), 0.0);
-  visit_blocks([&](const internal::Block& block, const Plan&, auto members) {
-    for (std::size_t j = 0; j < block.axes.size(); ++j)
+  for (std::size_t b = 0; b < m_plans.size(); ++b) {
+    const internal::Block& block = m_layout->blocks[b];
+    for (std::size_t j = 0, axes = block.axes.size(); j < axes; ++j)
       if (block.degrees[j] > 0)
-        bound_differences<members>(block, j);
-  });
+        (this->*m_plans[b].bound_differences)(block, j);
+  }
 }
 
 template <int members>
@@ -433,10 +458,7 @@ void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
     else {
       internal::run_with_constant<6>(functions, [&](auto members) {
         for (std::size_t k = 0; k < count; ++k)
-          internal::bound_ranges<members>(
-            functions, {1, 0, inner}, [&](auto type, std::size_t, std::size_t i) { return internal::load(type, lower + k * inner + i); },
-            [&](auto type, std::size_t, std::size_t i) { return internal::load(type, upper + k * inner + i); }, m_layer_lower.data() + k * functions,
-            m_layer_upper.data() + k * functions);
+          internal::bound_row<members>(functions, inner, lower + k * inner, upper + k * inner, m_layer_lower.data() + k * functions, m_layer_upper.data() + k * functions);
       });
       visit(j, static_cast<const double*>(m_layer_lower.data()), static_cast<const double*>(m_layer_upper.data()));
     }

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_AFFINE_KERNELS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_AFFINE_KERNELS_H
+
+#include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The linear part of a small tensor and what it leaves. One of the interleaved functions, or two neighbouring ones, walk over all control points from `data` on with everything else in registers:
+without tables, and with hardly anything that is done once. `Number` is a double or a Pack.
+*/
+struct Tensor_shape
+{
+  const int* degrees;            // per axis
+  const std::size_t* lengths;    // numbers that an axis and the faster ones span; one more entry for the functions alone
+};
+
+// slopes[j] <- scales[j] times the sum of the last layer along axis j less that of the first.
+template <int axes, class Number>
+inline void sum_slopes(const Tensor_shape& shape, const double* data, const double* scales, Number (&slopes)[axes])
+{
+  const std::size_t size = shape.lengths[0], step = shape.lengths[axes];
+  unroll<axes>([&](auto j) {
+    const std::size_t line = shape.lengths[j], inner = shape.lengths[j + 1];
+    Number sum(0);
+    for (std::size_t begin = 0; begin < size; begin += line)
+      for (std::size_t i = begin; i < begin + inner; i += step)
+        sum = sum + (load(Number(), data + i + (line - inner)) - load(Number(), data + i));
+    slopes[j] = sum * scales[j];
+  });
+}
+
+// The least and the largest of the numbers less `base` and, for the axes from `axis` on, slope times abscissa, as far as they are less or larger than given ones. The abscissas of the axes follow each other.
+template <int axes, int axis = 0, class Number>
+inline void bound_rest(const Tensor_shape& shape, const double* data, const double* abscissas, const Number (&slopes)[axes], const Number& base, Number& least, Number& most)
+{
+  const int degree = shape.degrees[axis];
+  const std::size_t inner = shape.lengths[axis + 1];
+  for (int k = 0; k <= degree; ++k, data += inner) {
+    const Number line = base + slopes[axis] * abscissas[k];
+    if constexpr (axis + 1 < axes)
+      bound_rest<axes, axis + 1>(shape, data, abscissas + degree + 1, slopes, line, least, most);
+    else {
+      const Number rest = load(Number(), data) - line;
+      least = lesser(least, rest);
+      most = greater(most, rest);
+    }
+  }
+}
+
+// The same along a single axis, with the bounds of the numbers themselves, in one pass over `count` numbers every `step` places. The slope is that from the first to the last.
+template <class Number>
+struct Line_bounds
+{
+  Number least, most, slope, rest_least, rest_most;
+
+  Line_bounds(const double* data, std::size_t count, std::size_t step, const double* abscissas)
+    : least(load(Number(), data)), most(least), slope(load(Number(), data + (count - 1) * step) - least), rest_least(count > 1 ? least - slope * abscissas[0] : least), rest_most(rest_least)
+  {
+    for (std::size_t k = 1; k < count; ++k) {
+      const Number value = load(Number(), data + k * step), rest = value - slope * abscissas[k];
+      least = lesser(least, value);
+      most = greater(most, value);
+      rest_least = lesser(rest_least, rest);
+      rest_most = greater(rest_most, rest);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_FUNCTION_AFFINE_KERNELS_H
