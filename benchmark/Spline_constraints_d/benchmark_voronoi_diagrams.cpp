@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, and of points; `complete` is 1 where all of the diagram is proved.
+// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, and of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding. `complete` is 1 where all of the diagram is proved; of
+// chains it is the number of those.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
@@ -52,6 +53,42 @@ void diagram_of_cubics(benchmark::State& state)
   }
 }
 BENCHMARK(diagram_of_cubics)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+// Four to eight cubics around the origin, with the same tangent where they meet, in coordinates that are rounded to three digits, and their sums and differences to doubles.
+std::vector<Curve> closed_chain(unsigned seed)
+{
+  std::mt19937 generator(seed);
+  const auto rounded = [](double x) { return std::round(1000 * x) / 1000; };
+  const std::size_t n = 4 + seed % 5;
+  std::vector<K::Point_2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(n), radius = std::uniform_real_distribution<double>(3, 7)(generator);
+    points.emplace_back(rounded(radius * std::cos(direction)), rounded(radius * std::sin(direction)));
+  }
+  std::vector<K::Vector_2> tangents;
+  for (std::size_t i = 0; i < n; ++i) {
+    const K::Vector_2 chord = points[(i + 1) % n] - points[(i + n - 1) % n];
+    const double length = std::uniform_real_distribution<double>(0.12, 0.22)(generator);
+    tangents.emplace_back(rounded(length * chord.x()), rounded(length * chord.y()));
+  }
+  std::vector<Curve> result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    result.push_back(SC::bezier_curve(std::vector<K::Point_2>{points[i], points[i] + tangents[i], points[j] - tangents[j], points[j]}));
+  }
+  return result;
+}
+
+void diagrams_of_closed_chains(benchmark::State& state)
+{
+  for (auto _ : state) {
+    double complete = 0;
+    for (unsigned seed = 0; seed < state.range(0); ++seed)
+      complete += SC::voronoi_diagram(closed_chain(seed)).is_complete();
+    state.counters["complete"] = complete;
+  }
+}
+BENCHMARK(diagrams_of_closed_chains)->Arg(50)->Unit(benchmark::kMillisecond);
 
 void diagram_of_points(benchmark::State& state)
 {
