@@ -98,8 +98,13 @@ public:
   //! where a point is; decided exactly.
   CGAL::Bounded_side bounded_side(const Point& point) const
   {
+    return bounded_side(internal::Exact_pair{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+  }
+
+#ifndef DOXYGEN_RUNNING
+  CGAL::Bounded_side bounded_side(const internal::Exact_pair& p) const
+  {
     constexpr int halvings = 24;
-    const internal::Exact_pair p{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())};
     int turns = 0;
     for (const internal::Boundary_loop_2& loop : m_loops) {
       if (loop.may_contain(p, halvings) && !intersections(internal::Exact_kernel::Point_2(p[0], p[1]), loop.curve()).empty())
@@ -108,6 +113,7 @@ public:
     }
     return turns > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
   }
+#endif
 
   /*!
   bounds of the area; the same number twice where all curves are polynomial.

@@ -59,7 +59,7 @@ public:
     for (const Disk_candidate& candidate : candidates)
       if (is_of_other(candidate))
         all = united(all, candidate.range);
-    if (!m_graph.arcs()[m_other.arc].has_monotone_curvature(all))
+    if (!m_graph.arcs()[m_other.arc].is_spiral(all))
       return take_connected(candidates, m_range, is_of_other);
     m_range = all;
     return std::erase_if(candidates, is_of_other) > 0;
@@ -86,8 +86,8 @@ public:
     return contact(result);
   }
 
-  // Whether disks in the pocket leave no part of the other arc out: those of the part would touch nothing but that, which has its greatest curvature inside then.
-  bool has_one_stretch() const { return m_graph.arcs()[m_other.arc].has_monotone_curvature(m_range); }
+  // Whether disks in the pocket leave no part of the other arc out: none touches it twice.
+  bool has_one_stretch() const { return m_graph.arcs()[m_other.arc].is_spiral(m_range); }
 
   // Whether points are outside of all that may be in the pocket of a disk.
   bool is_outside(const Interval_pair& points) const

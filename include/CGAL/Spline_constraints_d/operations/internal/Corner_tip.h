@@ -31,7 +31,7 @@ public:
   Corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
 
   /*
-  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and its curvature is monotone: disks leave no part of it out, since those of the part would touch nothing but that, which has its greatest curvature inside then.
+  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk touches it twice: so the disks leave no part of it out.
   */
   std::optional<Located_contact> only_contact(const std::vector<Disk_candidate>& candidates) const
   {
@@ -42,7 +42,7 @@ public:
           range = united(range, candidate.range);
         else
           range = Range();
-      if (is_part(range) && m_graph.arcs()[other.arc].has_monotone_curvature(range))
+      if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
         return Located_contact{{Disk_contact::Kind::ARC, other.arc}, range};
     }
     return std::nullopt;
@@ -73,7 +73,7 @@ public:
           range = united(range, candidate.range);
         else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
           range = Range();
-      if (is_part(range) && m_graph.arcs()[other.arc].has_monotone_curvature(range))
+      if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
         return Contacts{own, other, {{Disk_contact::Kind::VERTEX, vertex}}, {{Disk_contact::Kind::ARC, other.arc}, range}};
     }
     return std::nullopt;

@@ -191,14 +191,17 @@ public:
     return result;
   }
 
-  // Whether the curvature is certain to grow, to fall, or to be constant, over a range: the sign of its derivative is that of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
-  bool has_monotone_curvature(const Range& range) const
+  /*
+  Whether no circle touches the arc in two points of a range, other than its own: it is straight or circular, or certain to be a spiral, the curvature of which grows or falls all the way, and turns by less than 180 degrees. The chord of two points of a spiral forms
+  different angles with it there (Vogt's theorem). The derivative of the curvature has the sign of (X' x X''') |X'|^2 - 3 (X' X'') (X' x X'').
+  */
+  bool is_spiral(const Range& range) const
   {
     if (m_is_straight || m_circle)
       return true;
-    const Curve_jet x = jet(range, 3);
+    const Curve_jet x = jet(range, 3), middle = jet({range.middle(), range.middle()}, 1);
     const Interval_pair n = turned_left(x[1]);
-    return certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
+    return dot(x[1], middle[1]).inf() > 0 && certain_sign(dot(n, x[3]) * squared_norm(x[1]) - Interval(3) * dot(x[1], x[2]) * dot(n, x[2])) != 0;
   }
 
 private:
