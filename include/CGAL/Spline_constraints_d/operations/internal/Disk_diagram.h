@@ -118,20 +118,30 @@ public:
   {
     Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind == Disk_contact::Kind::ARC && !std::isfinite(result.curvature.inf()))
-      result.other_range = range_in_corner(front(part), u, contact.index).value_or(result.other_range);
-    if (contact.kind != Disk_contact::Kind::ARC || stretch(part).corner)
+    if (contact.kind != Disk_contact::Kind::ARC)
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
+    const auto joint = greatest_curvature_at_joint(point, contact.index);
+    const bool is_end = u == 0 || u == 1, is_finite = std::isfinite(result.curvature.inf());
+    if (const auto corner = is_end && !is_finite && !joint ? range_in_corner(front(part), u, contact.index) : std::nullopt)
+      result.other_range = *corner;
+    if (stretch(part).corner || (is_end && !is_finite && !joint))
+      return result;
     const double v = result.other_range.middle();
     const auto is_wide = [](const Interval& k) { return !(k.sup() < std::numeric_limits<double>::infinity() && k.sup() - k.inf() <= most_error * k.sup()); };
     Interval k = result.curvature;
     if (is_wide(k))
       k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
-    if (is_wide(k))
-      k = exact_curvature(front(part), u, contact.index, v).value_or(result.curvature);
     Range other_range = result.other_range;
-    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && (front(part).is_fan || !(k.inf() > joint->curvature.inf()))) {
+    if (is_wide(k)) {
+      k = exact_curvature(front(part), u, contact.index, v).value_or(result.curvature);
+      if (const auto opposite = opposite_parameter(front(part), u, contact.index))
+        if (const auto other = exact_curvature(front(part), u, contact.index, *opposite); other && other->inf() > k.inf()) {
+          k = *other;
+          other_range = {*opposite, *opposite};
+        }
+    }
+    if (joint && (front(part).is_fan || !(k.inf() > joint->curvature.inf()))) {
       k = joint->curvature;
       other_range = joint->range;
     }
@@ -146,6 +156,17 @@ private:
     const Exact_pair x = front.is_fan ? m_graph.vertices()[front.object].exact_point : m_graph.arcs()[front.object].at(u), y = m_graph.arcs()[arc].at(v), d{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
     const Exact_rational square = exact_dot(d, d);
     return sign_of(square) == 0 ? std::nullopt : std::optional(interval_of(Exact_rational(2 * exact_dot(m_graph.exact_normal(front, Exact_rational(u)), d) / square)));
+  }
+
+  // Where disks touch the other arc in a corner that is nearly smooth: at the same distance.
+  std::optional<double> opposite_parameter(const Front& front, double u, std::size_t arc) const
+  {
+    const bool is_end = u > 0.5;
+    const auto* next = front.is_fan || !m_graph.nearly_smooth_continuation({front.object, is_end}) ? nullptr : &*m_graph.nearly_smooth_continuation({front.object, is_end});
+    if (next == nullptr || next->end.arc != arc)
+      return std::nullopt;
+    const double distance = (std::min)((is_end ? 1 - u : u) * next->scale, 1.0);
+    return next->end.is_end ? 1 - distance : distance;
   }
 
   // The end of an arc in the corner that a point of a front is next to.
