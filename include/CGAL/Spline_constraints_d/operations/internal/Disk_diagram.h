@@ -116,37 +116,25 @@ public:
   // The same up to rounding, also near the ends of arcs; where arcs join smoothly, the disk has the greater one of their curvatures. Not finite in corners.
   Disk estimated_disk(const Part& part, double u) const
   {
-    Disk result = disk(part, u);
+    const Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
     if (contact.kind != Disk_contact::Kind::ARC)
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
-    const auto joint = greatest_curvature_at_joint(point, contact.index);
-    const bool is_end = u == 0 || u == 1, is_finite = std::isfinite(result.curvature.inf());
-    if (const auto corner = is_end && !is_finite && !joint ? range_in_corner(front(part), u, contact.index) : std::nullopt)
-      result.other_range = *corner;
-    if (stretch(part).corner || (is_end && !is_finite && !joint))
-      return result;
-    const double v = result.other_range.middle();
-    const auto is_wide = [](const Interval& k) { return !(k.sup() < std::numeric_limits<double>::infinity() && k.sup() - k.inf() <= most_error * k.sup()); };
-    Interval k = result.curvature;
-    if (is_wide(k))
-      k = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
-    Range other_range = result.other_range;
-    if (is_wide(k)) {
-      k = exact_curvature(front(part), u, contact.index, v).value_or(result.curvature);
-      if (const auto opposite = opposite_parameter(front(part), u, contact.index))
-        if (const auto other = exact_curvature(front(part), u, contact.index, *opposite); other && other->inf() > k.inf()) {
-          k = *other;
-          other_range = {*opposite, *opposite};
-        }
+    const auto width = [](const Interval& k) { return k.sup() - k.inf(); };
+    Attained_curvature k{result.curvature, result.other_range};
+    if (!stretch(part).corner) {
+      const double v = result.other_range.middle();
+      const Interval at_middle = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
+      if (width(at_middle) < width(k.curvature))
+        k.curvature = at_middle;
     }
-    if (joint && (front(part).is_fan || !(k.inf() > joint->curvature.inf()))) {
-      k = joint->curvature;
-      other_range = joint->range;
-    }
+    if (const auto nearly = curvature_at_nearly_smooth_joint(part, u, k))
+      k = *nearly;
+    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && (front(part).is_fan || !(k.curvature.inf() > joint->curvature.inf())))
+      k = *joint;
     const Interval_pair &x = point.jet.point, &n = point.jet.normal;
-    return {{x[0] + n[0] / k, x[1] + n[1] / k}, k, other_range};
+    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
   }
 
 private:
@@ -158,24 +146,23 @@ private:
     return sign_of(square) == 0 ? std::nullopt : std::optional(interval_of(Exact_rational(2 * exact_dot(m_graph.exact_normal(front, Exact_rational(u)), d) / square)));
   }
 
-  // Where disks touch the other arc in a corner that is nearly smooth: at the same distance.
-  std::optional<double> opposite_parameter(const Front& front, double u, std::size_t arc) const
+  // Next to a nearly smooth joint, where a curvature is not accurate: in the corner itself it is not finite, elsewhere the greatest one at some points of the other arc is taken, exactly. Disks in the corner touch it at about the same distance as the front.
+  std::optional<Attained_curvature> curvature_at_nearly_smooth_joint(const Part& part, double u, const Attained_curvature& known) const
   {
     const bool is_end = u > 0.5;
-    const auto* next = front.is_fan || !m_graph.nearly_smooth_continuation({front.object, is_end}) ? nullptr : &*m_graph.nearly_smooth_continuation({front.object, is_end});
-    if (next == nullptr || next->end.arc != arc)
+    const Arc_end own{front(part).object, is_end};
+    const auto* next = front(part).is_fan || !m_graph.nearly_smooth_continuation(own) ? nullptr : &*m_graph.nearly_smooth_continuation(own);
+    const std::size_t other = stretch(part).contact.index;
+    const Interval& k = known.curvature;
+    if (next == nullptr || next->end.arc != other || (std::isfinite(k.sup() - k.inf()) && k.sup() - k.inf() <= most_error * k.sup()))
       return std::nullopt;
-    const double distance = (std::min)((is_end ? 1 - u : u) * next->scale, 1.0);
-    return next->end.is_end ? 1 - distance : distance;
-  }
-
-  // The end of an arc in the corner that a point of a front is next to.
-  std::optional<Range> range_in_corner(const Front& front, double u, std::size_t arc) const
-  {
-    for (const bool is_end : {false, true})
-      if (!front.is_fan && m_graph.vertex_of({arc, is_end}) == m_graph.vertex_of({front.object, u > 0.5}))
-        return Range{Arc_end{arc, is_end}.parameter(), Arc_end{arc, is_end}.parameter()};
-    return std::nullopt;
+    const double distance = (std::min)(std::abs(u - own.parameter()) * next->scale, 1.0), opposite = next->end.is_end ? 1 - distance : distance;
+    Attained_curvature result{any_number(), {opposite, opposite}};
+    if (distance > 0 && !stretch(part).corner)
+      for (const double v : {opposite, known.range.middle()})
+        if (const auto exact = exact_curvature(front(part), u, other, v); exact && !(result.curvature.inf() > exact->inf()))
+          result = {*exact, {v, v}};
+    return result;
   }
 
   // In the corner of a pocket there is no disk; the other end of the stretch has one. Between, nothing can be told.
