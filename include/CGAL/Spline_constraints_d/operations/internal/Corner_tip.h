@@ -58,7 +58,7 @@ public:
   /*
   The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
   */
-  std::optional<Contacts> vertex_and_arc(std::vector<Disk_candidate> candidates) const
+  std::optional<Contacts> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
   {
     if (m_front.is_fan)
       return std::nullopt;
@@ -67,8 +67,9 @@ public:
       const std::size_t vertex = m_graph.vertex_of(own);
       Range range{other.parameter(), other.parameter()}, own_range{own.parameter(), own.parameter()};
       const int way = own.is_end ? 1 : -1;
-      take_connected(candidates, own_range, [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
-      for (const Disk_candidate& candidate : candidates)
+      std::vector<Disk_candidate> left(candidates);   // without those of the own arc on which the curvature grows up to the vertex
+      take_connected(left, own_range, [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
+      for (const Disk_candidate& candidate : left)
         if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
           range = united(range, candidate.range);
         else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
