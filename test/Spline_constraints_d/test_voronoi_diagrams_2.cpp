@@ -182,13 +182,6 @@ TEST(VoronoiDiagrams, NearestSites)
   EXPECT_TRUE(SC::voronoi_diagram(Curves()).nearest_sites(P(0, 0)).empty());
 }
 
-// Nothing is resolved where curves cross, and the result says so.
-TEST(VoronoiDiagrams, CrossingSegmentsAreNotComplete)
-{
-  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(0, 0), P(4, 1)}), bezier({P(1, 3), P(2, -2)})});
-  EXPECT_FALSE(diagram.is_complete());
-}
-
 TEST(VoronoiDiagrams, BadInput)
 {
   EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(1, 1), P(1, 1)})}), SC::Invalid_input);

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/Voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
+#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
 #include <array>
 #include <memory>

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/Trimmed_offset_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
+#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
 #include <array>
 #include <memory>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Graph_of_crossing_curves_2.h>
 
 #include <memory>
 #include <ranges>
@@ -19,7 +20,8 @@ namespace Spline_constraints {
 
 the Voronoi diagram of curves and points in the plane: which of them is nearest, for each point of the plane. Its edges are trimmed bisectors; the part within a closed curve is the medial axis there.
 
-The sites are the polynomial pieces of the curves, their ends, and the points. Curves may share end points. They must not cross or touch each other elsewhere, nor have a zero derivative: this is not checked, but there the diagram is not resolved, and `Voronoi_diagram_2::is_complete()` is false.
+The sites are the polynomial pieces of the curves, cut where curves cross each other or themselves or end on another one, all ends of these parts, and the points. Where curves touch or overlap, where three of them pass through a point of irrational parameters, and where a derivative is zero, the diagram is not resolved,
+and `Voronoi_diagram_2::is_complete()` is false.
 
 For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. Where curves join smoothly exact polynomials decide, and vertices of four sites or more are decided exactly if the sites are points, lines and circles and the center is rational. All are connected by their
 contacts, not by coordinates.
@@ -30,14 +32,14 @@ contacts, not by coordinates.
 \param points the points.
 \throws Invalid_input when a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
 
-Complexity: for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the envelope.
+Complexity: that of `pairwise_intersections()`; and for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range Range>
   requires ParametricCurve_2<std::ranges::range_value_t<Range>>
 auto voronoi_diagram(const Range& curves, const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {})
 {
   using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
-  const auto graph = internal::site_graph(curves, points);
+  const auto graph = internal::graph_of_crossing_curves<Concurrency_tag>(curves, points);
   auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph)));
   return Voronoi_diagram_2<Kernel>(graph, diagram);
 }

@@ -52,7 +52,7 @@ public:
     if (!front.is_fan)
       return touches_arc(m_graph.arcs()[front.object], part.range);
     const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.front_jet(front, {u, u}).normal), away)); };
-    return squared_distance_from(m_graph.vertices()[front.object].exact_point) == *m_squared_radius && turn(part.range.begin) * turn(part.range.end) < 0;
+    return touches(m_graph.vertices()[front.object]) && turn(part.range.begin) * turn(part.range.end) < 0;
   }
 
   // Whether it touches the same thing as the disks of a branch.
@@ -61,11 +61,13 @@ public:
     if (!m_squared_radius)
       return false;
     if (located.contact.kind == Disk_contact::Kind::VERTEX)
-      return squared_distance_from(m_graph.vertices()[located.contact.index].exact_point) == *m_squared_radius;
+      return touches(m_graph.vertices()[located.contact.index]);
     return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range);
   }
 
 private:
+  bool touches(const Site_graph_2::Vertex& vertex) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == *m_squared_radius; }
+
   static Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
 
   Exact_rational squared_distance_from(const Exact_pair& p) const
@@ -84,7 +86,7 @@ private:
   // Of the center, if that is known to be rational.
   std::optional<Exact_rational> squared_distance(const Disk_contact& contact) const
   {
-    if (contact.kind == Disk_contact::Kind::VERTEX)
+    if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
       return squared_distance_from(m_graph.vertices()[contact.index].exact_point);
     if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
       return squared_distance_from_line(m_graph.arcs()[contact.index]);

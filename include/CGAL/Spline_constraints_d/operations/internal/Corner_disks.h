@@ -24,7 +24,8 @@ and g is a smooth function with one maximum in m for small s, also for s = 0.
 class Corner_disks
 {
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
-  static constexpr int steps = 96;
+  static constexpr double most_share = 1 - 0x1p-20;   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
+  static constexpr int steps = 12, most_halvings = 10;
 
   struct Ratio_bounds
   {
@@ -54,10 +55,17 @@ public:
   {
     if (!(dot(m_normal, m_b).inf() > 0) || !std::isfinite(m_speed_ratio))
       return std::nullopt;
-    const double attained = bounds(Interval(m_speed_ratio)).g.inf();
+    const double attained = most_share * bounds(Interval(m_speed_ratio)).g.inf();
     if (!(attained > 0) || !are_far_points_lower(attained) || !have_near_points_one_maximum(attained))
       return std::nullopt;
     return (Interval(attained) / Interval(m_s.sup())).inf();
+  }
+
+  // Whether k is less than some number divided by s, for all s.
+  bool are_all_lower(double number) const
+  {
+    Stationary_points found = Stationary_points::NONE;
+    return std::isfinite(m_speed_ratio) && are_far_points_lower(number) && visit_near_points(number, found) && found == Stationary_points::NONE;
   }
 
 private:
@@ -87,18 +95,43 @@ private:
     return q.inf() > 0 && (Interval(2) * dot(m_normal, z) / q - Interval(attained) * most).sup() < 0;
   }
 
+  // Whether g has one maximum of at least what is attained: all points where it may be stationary, and that high, are next to each other, and g_mm < 0 there.
   bool have_near_points_one_maximum(double attained) const
   {
-    std::optional<Interval> second;
-    for (int i = 0; i < steps; ++i) {
-      // Steps grow with m.
-      const auto end = [&](int k) { return m_speed_ratio * far_ratio * k * k / (steps * steps); };
-      const Ratio_bounds k = bounds(Interval(end(i), i + 1 == steps ? (Interval(far_ratio) * Interval(m_speed_ratio)).sup() : end(i + 1)));
-      if (k.g.sup() < attained || certain_sign(k.gm) != 0)
-        continue;
-      second = second ? hull(*second, k.gmm) : k.gmm;
+    Stationary_points found = Stationary_points::NONE;
+    return visit_near_points(attained, found) && found != Stationary_points::NONE;
+  }
+
+  // What has been found up to some m: none; some, up to there; or some, and none behind them.
+  enum class Stationary_points { NONE, HERE, BEFORE };
+
+  bool visit_near_points(double attained, Stationary_points& found) const
+  {
+    const double most = (Interval(far_ratio) * Interval(m_speed_ratio)).sup();
+    const auto end = [&](int k) { return k == steps ? most : m_speed_ratio * far_ratio * k * k / (steps * steps); };   // steps grow with m
+    for (int i = 0; i < steps; ++i)
+      if (!visit(end(i), end(i + 1), attained, most_halvings, found))
+        return false;
+    return true;
+  }
+
+  // Visits a range of m. Returns false when there may be two maxima.
+  bool visit(double begin, double end, double attained, int halvings, Stationary_points& found) const
+  {
+    const Ratio_bounds k = bounds(Interval(begin, end));
+    const auto slope = [&](double m) { return certain_sign(bounds(Interval(m)).gm); };
+    if (k.g.sup() < attained || certain_sign(k.gm) != 0 || (k.gmm.sup() < 0 && (slope(begin) < 0 || slope(end) > 0))) {
+      if (found == Stationary_points::HERE)
+        found = Stationary_points::BEFORE;
+      return true;
     }
-    return second && second->sup() < 0;
+    if (k.gmm.sup() < 0) {
+      const bool is_first = found != Stationary_points::BEFORE;   // else there may be a low minimum between
+      found = Stationary_points::HERE;
+      return is_first;
+    }
+    const double middle = begin + (end - begin) / 2;
+    return halvings > 0 && visit(begin, middle, attained, halvings - 1, found) && visit(middle, end, attained, halvings - 1, found);
   }
 };
 

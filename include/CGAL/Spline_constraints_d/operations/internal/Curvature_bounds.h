@@ -7,13 +7,10 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-inline Interval any_number() { return Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()); }
 
 // Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the front it touches and by that of the point v it passes through.
 struct Curvature_bounds

@@ -186,7 +186,7 @@ private:
     else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
       if (const Front& front = m_graph.fronts()[part.front]; !front.is_fan || front.object != item.index)
         parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
-    } else if (!m_graph.is_on_line_or_circle_of(part.front, item.index))
+    } else if (!m_graph.is_never_touched(part.front, item.index))
       add_arc(item.index, Range());
   }
 };

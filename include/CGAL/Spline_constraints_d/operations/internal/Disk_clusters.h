@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_slope.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 
 #include <algorithm>
 #include <array>
@@ -36,12 +37,14 @@ public:
     bool is_known = false;   // to have one maximum inside
     bool is_too_low = false;
     double least = -std::numeric_limits<double>::infinity();   // other maxima are less than that
+    Corner_of_disks corner{};
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
     bool touches(bool end) const { return end ? range.end == 1 : range.begin == 0; }
     bool has_inner_maximum() const { return ends[0] != End_state::MAXIMUM && ends[1] != End_state::MAXIMUM; }
   };
 
 private:
+  static constexpr double most_reach = 64;   // of a cluster at a corner, in units of the length of the part
   static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
 
   const Site_graph_2& m_graph;
@@ -60,8 +63,7 @@ public:
     collect(candidates);
     if (!(least > 0))
       std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_front(cluster); });
-    for (const Arc_end& end : ends_at_common_vertices())
-      merge_at_vertex(end);
+    merge_at_common_vertices();
     if (!m_front.is_fan)
       for (const bool end : {false, true})
         if (const auto next = graph.end_after({m_front.object, end}))
@@ -152,6 +154,8 @@ private:
   // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
   bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
   {
+    if (!m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
+      return false;
     const bool is_near = distance.begin <= most_gap * distance.width();
     const std::size_t vertex = m_graph.vertex_of(end);
     if (m_front.is_fan)
@@ -214,19 +218,83 @@ private:
   }
 
   // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
-  void merge_at_vertex(const Arc_end& other)
+  void merge_at_common_vertices()
   {
-    if (cluster_at(other) == nullptr)
+    if (m_front.is_fan) {
+      for (const Arc_end& end : m_graph.vertices()[m_front.object].ends)
+        merge_at_fan(end);
       return;
-    Cluster all = *cluster_at(other);
-    for (const Cluster& cluster : m_clusters)
-      if (cluster.arc == other.arc)
-        all = {other.arc, united(all.range, cluster.range), hull(all.bounds, cluster.bounds)};
-    all.is_known = m_front.is_fan ? has_one_maximum_at_fan(all, other) : has_one_maximum_at_corner(all, other);
-    if (all.is_known) {
-      std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.arc == other.arc; });
-      m_clusters.push_back(all);
     }
+    for (const bool end : {false, true})
+      if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
+        merge_at_corners({m_front.object, end});
+  }
+
+  void merge_at_fan(const Arc_end& other)
+  {
+    const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc; };
+    if (auto all = united_at(other, is_part); all && has_one_maximum_at_fan(*all, other))
+      replace(is_part, *all);
+  }
+
+  // The curvature of disks in the corners between an arc and others is inversely proportional to their distance, nearly; what is lower than in one of them is left out.
+  void merge_at_corners(const Arc_end& own)
+  {
+    double greatest = 0;
+    std::vector<Arc_end> others = m_graph.vertices()[m_graph.vertex_of(own)].ends;
+    std::erase(others, own);
+    for (const Arc_end& other : others)
+      greatest = (std::max)(greatest, merge_at_corner(own, other));
+    if (!(greatest > 0))
+      return;
+    const Interval width(m_part.range.width());
+    std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.bounds.value.sup() < (Interval(greatest) / width).inf(); });
+    for (const Arc_end& other : others)
+      std::erase_if(m_clusters, [&](const Cluster& cluster) {
+        return cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_part, own, other, cluster.range).are_all_lower(greatest);
+      });
+  }
+
+  // Only what is near. Returns a curvature that is exceeded at unit distance, or 0.
+  double merge_at_corner(const Arc_end& own, const Arc_end& other)
+  {
+    const auto speed = [&](const Arc_end& end) { return std::sqrt(squared_norm(m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]).sup()); };
+    const double reach = most_reach * m_part.range.width() * speed(own) / speed(other);
+    const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc && (other.is_end ? 1 - cluster.range.end : cluster.range.begin) <= reach; };
+    auto all = united_at(other, is_part);
+    const auto least = all ? Corner_disks(m_graph, m_part, own, other, all->range).least_curvature_of_only_maximum() : std::nullopt;
+    if (!least)
+      return 0;
+    all->bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
+    all->least = *least;
+    all->corner = {own.parameter(), (Interval(*least) * Interval(m_part.range.width())).inf()};
+    replace(is_part, *all);
+    return all->corner.least;
+  }
+
+  // The cluster of an end of an arc and others; nothing if it reaches the other end, and the curvature may rise up to there.
+  template <class Is_part>
+  std::optional<Cluster> united_at(const Arc_end& end, const Is_part& is_part) const
+  {
+    const Cluster* first = cluster_at(end);
+    if (first == nullptr || !is_part(*first))
+      return std::nullopt;
+    Cluster result = *first;
+    for (const Cluster& cluster : m_clusters)
+      if (is_part(cluster))
+        result = {end.arc, united(result.range, cluster.range), hull(result.bounds, cluster.bounds)};
+    const double far = 1 - end.parameter();
+    if (result.touches(!end.is_end) && certain_sign(at(m_part, end.arc, {far, far}).dv) != (end.is_end ? 1 : -1))
+      return std::nullopt;
+    return result;
+  }
+
+  template <class Is_part>
+  void replace(const Is_part& is_part, Cluster cluster)
+  {
+    cluster.is_known = true;
+    std::erase_if(m_clusters, is_part);
+    m_clusters.push_back(cluster);
   }
 
   // The same for an arc that goes on where that of the front ends, if its clusters one by one are not known.
@@ -256,34 +324,6 @@ private:
       if (m_graph.is_perpendicular(m_front, normal, other) && Fan_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
         return true;
     return false;
-  }
-
-  bool has_one_maximum_at_corner(Cluster& cluster, const Arc_end& other) const
-  {
-    for (const bool own_end : {false, true}) {
-      const Arc_end own{m_front.object, own_end};
-      if (own == other || (own_end ? m_part.range.end < 1 : m_part.range.begin > 0) || m_graph.vertex_of(own) != m_graph.vertex_of(other))
-        continue;
-      if (const auto least = Corner_disks(m_graph, m_part, own, other, cluster.range).least_curvature_of_only_maximum()) {
-        cluster.bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // The ends of arcs in the vertices of the front that the part touches.
-  std::vector<Arc_end> ends_at_common_vertices() const
-  {
-    std::vector<Arc_end> result;
-    const auto add = [&](std::size_t vertex) { result.insert(result.end(), m_graph.vertices()[vertex].ends.begin(), m_graph.vertices()[vertex].ends.end()); };
-    if (m_front.is_fan)
-      add(m_front.object);
-    else
-      for (const bool end : {false, true})
-        if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
-          add(m_graph.vertex_of({m_front.object, end}));
-    return result;
   }
 };
 

@@ -240,7 +240,7 @@ private:
   Located_contact contact_with(const Cluster& cluster) const
   {
     const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
-    return {{Disk_contact::Kind::ARC, cluster.arc, !is_own ? 0 : cluster.range.begin >= m_part.range.end ? 1 : cluster.range.end <= m_part.range.begin ? -1 : 0}, cluster.range, cluster.least};
+    return {{Disk_contact::Kind::ARC, cluster.arc, !is_own ? 0 : cluster.range.begin >= m_part.range.end ? 1 : cluster.range.end <= m_part.range.begin ? -1 : 0}, cluster.range, cluster.least, cluster.corner};
   }
 
   void add_inner_maximum(const Cluster& cluster)
@@ -261,7 +261,7 @@ private:
     if (is_own && branch.contact.side == 0) {
       m_are_known = m_are_known && !branch.move;
       const int sign = certain_sign(at(m_part, cluster.arc, m_part.range).dv);
-      const Located_contact after{{Disk_contact::Kind::ARC, cluster.arc, 1}, cluster.range, cluster.least}, before{{Disk_contact::Kind::ARC, cluster.arc, -1}, cluster.range, cluster.least};
+      const Located_contact after{{Disk_contact::Kind::ARC, cluster.arc, 1}, cluster.range, cluster.least, cluster.corner}, before{{Disk_contact::Kind::ARC, cluster.arc, -1}, cluster.range, cluster.least, cluster.corner};
       if (sign != 0)
         branch.contact.side = sign;
       else
@@ -320,7 +320,7 @@ private:
   {
     if (contact.kind == Disk_contact::Kind::NOTHING)
       return Exact_rational(0);
-    if (contact.kind != Disk_contact::Kind::VERTEX)
+    if (contact.kind != Disk_contact::Kind::VERTEX || !m_graph.vertices()[contact.index].is_exact || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return std::nullopt;
     const Exact_pair &p = m_graph.exact_point(m_front, end), &q = m_graph.vertices()[contact.index].exact_point;
     const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};

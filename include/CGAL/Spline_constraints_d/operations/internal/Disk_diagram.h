@@ -85,7 +85,7 @@ public:
   bool is_complete() const
   {
     const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return m_unmatched == 0 && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
+    return m_unmatched == 0 && m_graph.are_orders_proved() && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
   }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
@@ -131,7 +131,7 @@ public:
     }
     if (const auto nearly = curvature_at_nearly_smooth_joint(part, u, k))
       k = *nearly;
-    if (const auto joint = greatest_curvature_at_joint(point, contact.index); joint && (front(part).is_fan || !(k.curvature.inf() > joint->curvature.inf())))
+    if (const auto joint = greatest_curvature_at_joint(point, stretch(part).located(u)); joint && (front(part).is_fan || !(k.curvature.inf() > joint->curvature.inf())))
       k = *joint;
     const Interval_pair &x = point.jet.point, &n = point.jet.normal;
     return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
@@ -173,9 +173,10 @@ private:
   }
 
   // Of the front and of another arc, in the point where they join; of an arc alone if the front is a small fan between two, where the contact is next to the vertex.
-  std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, std::size_t other) const
+  std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, const Located_contact& located) const
   {
     const Front& front = m_graph.fronts()[point.front];
+    const std::size_t other = located.contact.index;
     const auto curvature = [&](const Arc_end& end) {
       const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
       return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
@@ -188,7 +189,7 @@ private:
       return std::nullopt;
     const Arc_end own{front.object, point.range.begin == 1};
     const auto next = m_graph.end_after(own);
-    if (point.range.begin != own.parameter() || !next || next->arc != other || m_graph.is_pocket(front, own))
+    if (point.range.begin != own.parameter() || !next || next->arc != other || !located.range.meets({next->parameter(), next->parameter()}) || m_graph.is_pocket(front, own))
       return std::nullopt;
     const Interval a = curvature(own), b = curvature(*next);
     return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};

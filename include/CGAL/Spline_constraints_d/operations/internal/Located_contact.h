@@ -28,12 +28,21 @@ struct Disk_contact
   bool operator==(const Disk_contact&) const = default;
 };
 
-// A contact, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some number.
+// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front.
+struct Corner_of_disks
+{
+  double parameter = 0, least = 0;
+
+  double least_curvature(double u) const { return least > 0 ? (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf() : -std::numeric_limits<double>::infinity(); }
+};
+
+// A contact, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some numbers.
 struct Located_contact
 {
   Disk_contact contact;
   Range range{};
   double least = -std::numeric_limits<double>::infinity();
+  Corner_of_disks corner{};
 };
 
 // The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
@@ -98,7 +107,8 @@ Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
 inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
-  const auto is_high = [&](const Attained_curvature& k) { return k.curvature.inf() >= located.least; };
+  const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
+  const auto is_high = [&](const Attained_curvature& k) { return k.curvature.inf() >= least; };
   Attained_curvature result = maximal_curvature(at, located.range);
   if (!is_high(result))
     result = maximal_curvature(at, range_of_greatest_curvature(at, located.range));

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -20,7 +21,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
 
 inline Interval dot(const Interval_pair& a, const Interval_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 inline Interval squared_norm(const Interval_pair& a) { return CGAL::square(a[0]) + CGAL::square(a[1]); }
@@ -31,6 +31,8 @@ inline Interval_pair operator*(const Interval& s, const Interval_pair& a) { retu
 
 inline Interval hull(const Interval& a, const Interval& b) { return Interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())); }
 inline Interval_pair hull(const Interval_pair& a, const Interval_pair& b) { return {hull(a[0], b[0]), hull(a[1], b[1])}; }
+
+inline Interval any_number() { return Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()); }
 
 // What two enclosures of the same number have in common; they always meet.
 inline Interval common_part(const Interval& a, const Interval& b) { return Interval((std::max)(a.inf(), b.inf()), (std::min)(a.sup(), b.sup())); }
@@ -74,11 +76,15 @@ class Polynomial_jet
 public:
   Polynomial_jet() = default;
 
-  explicit Polynomial_jet(Bernstein_tensor<Exact_rational> tensor)
+  // Of any polynomial that is made of the given one when each end of [0,1] is moved by no more than an error, below 2^-10, and the part between brought to [0,1].
+  Polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error)
   {
-    for (std::size_t k = 0; k <= jet_order; ++k, tensor = tensor.derivative(0))
+    const int degree = tensor.degree(0);
+    // Coefficients are values of the blossom, which is affine in each of its arguments.
+    Exact_rational change = 2 * degree * error * largest_difference(tensor.coefficients());
+    for (std::size_t k = 0; k <= jet_order; ++k, tensor = tensor.derivative(0), change *= 2 * degree)
       for (const Exact_rational& c : tensor.coefficients())
-        m_rows[k].push_back(interval_of(c));
+        m_rows[k].push_back(hull(interval_of(Exact_rational(c - change)), interval_of(Exact_rational(c + change))));
   }
 
   // Bounds of a derivative over a range: those of the Bernstein coefficients there.
@@ -96,6 +102,14 @@ public:
   }
 
 private:
+  static Exact_rational largest_difference(const std::vector<Exact_rational>& coefficients)
+  {
+    Exact_rational result(0);
+    for (std::size_t i = 1; i < coefficients.size(); ++i)
+      result = (std::max)(result, Exact_rational(CGAL::abs(Exact_rational(coefficients[i] - coefficients[i - 1]))));
+    return result;
+  }
+
   static Interval bounds(Interval* b, std::size_t size, const Range& range)
   {
     const Interval t(range.begin);
@@ -115,7 +129,7 @@ private:
 };
 
 /*
-A polynomial or rational piece of a curve that is a site, on [0,1], with enclosures of its derivatives up to the fourth.
+A polynomial or rational piece of a curve that is a site, on [0,1], with enclosures of its derivatives up to the fourth. Where the ends of the site are not known exactly, the piece ends near them on the same curve, and enclosures are those of the site with the parameter that runs from 0 to 1 on it.
 */
 class Site_arc_2
 {
@@ -128,7 +142,8 @@ class Site_arc_2
   Interval m_squared_radius;
 
 public:
-  explicit Site_arc_2(Homogeneous_piece piece) : m_piece(std::move(piece))
+  // With a bound of the distances of the ends, in the parameter of the piece.
+  explicit Site_arc_2(Homogeneous_piece piece, const Exact_rational& error = 0) : m_piece(std::move(piece))
   {
     const std::vector<Exact_rational> weights = m_piece.coordinates[2].coefficients();
     m_is_polynomial = std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& w) { return w == weights.front(); });
@@ -136,7 +151,7 @@ public:
       for (Bernstein_tensor<Exact_rational>& tensor : m_piece.coordinates)
         tensor = divided_by(tensor, weights.front());
     for (std::size_t k = 0; k < 3; ++k)
-      m_coordinates[k] = Polynomial_jet(m_piece.coordinates[k]);
+      m_coordinates[k] = Polynomial_jet(m_piece.coordinates[k], error);
     const Exact_pair a = at(0), b = at(1);
     m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     if (!m_is_straight)
@@ -154,6 +169,15 @@ public:
   const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
   const Interval_pair& center() const { return m_center; }
   const Interval& squared_radius() const { return m_squared_radius; }
+
+  // Whether a point is on the line of a straight arc, or on the circle of another one.
+  bool is_on_line_or_circle(const Exact_pair& p) const
+  {
+    const auto from = [&p](const Exact_pair& q) { return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])}; };
+    if (m_is_straight)
+      return sign_of(exact_cross(from(at(0)), from(at(1)))) == 0;
+    return m_circle && exact_dot(from(m_circle->first), from(m_circle->first)) == m_circle->second;
+  }
 
   Exact_pair at(const Exact_rational& t) const
   {

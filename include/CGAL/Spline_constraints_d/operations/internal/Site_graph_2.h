@@ -4,7 +4,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
 
-#include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -74,6 +72,8 @@ struct Nearly_smooth_continuation
 
 /*
 Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
+
+Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no fans; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
 class Site_graph_2
 {
@@ -84,6 +84,14 @@ public:
     Interval_pair point;
     std::vector<Arc_end> ends;          // of the arcs here, counterclockwise
     std::vector<std::size_t> fans;
+    bool is_exact = true;
+  };
+
+  // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of that.
+  struct Place_of_end
+  {
+    std::size_t vertex;
+    Exact_rational error;
   };
 
 private:
@@ -92,29 +100,52 @@ private:
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::size_t> m_curve_of_arc;
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
+  std::vector<std::array<bool, 2>> m_is_end_exact;
   std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
   std::vector<std::array<std::optional<Smooth_continuation>, 2>> m_continuations;
   std::vector<std::array<std::optional<Nearly_smooth_continuation>, 2>> m_nearly_smooth_continuations;
   std::vector<Vertex> m_vertices;
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
+  bool m_are_orders_proved = true;
 
 public:
-  void add_point(const Exact_pair& point) { vertex_at(point); }
-
-  void add_arc(Homogeneous_piece piece, std::size_t curve)
+  // The vertex with given coordinates.
+  std::size_t add_point(const Exact_pair& point)
   {
-    Site_arc_2 arc(std::move(piece));
+    const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
+    if (is_new)
+      m_vertices.push_back({point, {interval_of(point[0]), interval_of(point[1])}, {}, {}});
+    return position->second;
+  }
+
+  // A vertex next to a point, which is known by the arcs that end there.
+  std::size_t add_crossing(const Exact_pair& near)
+  {
+    m_vertices.push_back({near, {any_number(), any_number()}, {}, {}, false});
+    return m_vertices.size() - 1;
+  }
+
+  // Ends that have no place given are those of the piece.
+  void add_arc(Homogeneous_piece piece, std::size_t curve, const std::array<std::optional<Place_of_end>, 2>& places = {})
+  {
+    const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
+    Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
     const Exact_pair a = arc.at(0), b = arc.at(1);
     if (a == b && a == arc.at(Exact_rational(1) / 2))
       throw Invalid_input("a piece of curve " + std::to_string(curve) + " is a point");
     m_directions.push_back({direction_of(arc, false), direction_of(arc, true)});
-    m_arcs.push_back(std::move(arc));
     m_curve_of_arc.push_back(curve);
-    const std::size_t first = vertex_at(a), second = vertex_at(b);
-    m_vertices_of_arc.push_back({first, second});
-    m_vertices[first].ends.push_back({m_arcs.size() - 1, false});
-    m_vertices[second].ends.push_back({m_arcs.size() - 1, true});
+    m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});
+    const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a), places[1] ? places[1]->vertex : add_point(b)};
+    m_vertices_of_arc.push_back(vertices);
+    for (const bool is_end : {false, true}) {
+      Vertex& vertex = m_vertices[vertices[is_end]];
+      vertex.ends.push_back({m_arcs.size(), is_end});
+      if (!vertex.is_exact)
+        vertex.point = common_part(vertex.point, arc.point({is_end ? 1.0 : 0.0, is_end ? 1.0 : 0.0}));
+    }
+    m_arcs.push_back(std::move(arc));
   }
 
   // Orders the arcs around the vertices, and makes the fronts.
@@ -128,6 +159,7 @@ public:
     m_nearly_smooth_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       order_ends(m_vertices[v]);
+      m_are_orders_proved = m_are_orders_proved && is_order_proved(m_vertices[v]);
       find_continuations(m_vertices[v]);
       connect_fronts(v);
     }
@@ -147,6 +179,13 @@ public:
   }
 
   std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
+
+  // Whether an arc ends where its piece does.
+  bool is_exact(const Arc_end& end) const { return m_is_end_exact[end.arc][end.is_end]; }
+
+  // Whether the order of the arcs around all vertices is proved.
+  bool are_orders_proved() const { return m_are_orders_proved; }
+
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
 
   const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
@@ -215,18 +254,16 @@ public:
     const Site_arc_2& arc = m_arcs[m_fronts[front].object];
     if (!arc.is_straight() && !arc.circle())
       return false;
-    const Exact_pair& p = m_vertices[vertex].exact_point;
-    const auto from = [&p](const Exact_pair& q) { return Exact_pair{Exact_rational(p[0] - q[0]), Exact_rational(p[1] - q[1])}; };
     if (arc.is_straight()) {
       const auto& [a, b] = m_vertices_of_arc[m_fronts[front].object];
       const Interval_pair& q = m_vertices[vertex].point;
       if (certain_sign(dot(turned_left(m_vertices[a].point - q), m_vertices[b].point - q)) != 0)
         return false;
-      return sign_of(exact_cross(from(m_vertices[a].exact_point), from(m_vertices[b].exact_point))) == 0;
-    }
-    if (certain_sign(squared_norm(m_vertices[vertex].point - arc.center()) - arc.squared_radius()) != 0)
+    } else if (certain_sign(squared_norm(m_vertices[vertex].point - arc.center()) - arc.squared_radius()) != 0)
       return false;
-    return exact_dot(from(arc.circle()->first), from(arc.circle()->first)) == arc.circle()->second;
+    if (m_vertices[vertex].is_exact)
+      return arc.is_on_line_or_circle(m_vertices[vertex].exact_point);
+    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(front, end.arc); });
   }
 
   // The normal in a point of a front.
@@ -256,11 +293,30 @@ public:
       return false;
     const Site_arc_2 &own = m_arcs[m_fronts[front].object], &other = m_arcs[arc];
     if (own.is_straight())
-      return other.is_straight() && is_vertex_on_line_or_circle_of(front, m_vertices_of_arc[arc][0]) && is_vertex_on_line_or_circle_of(front, m_vertices_of_arc[arc][1]);
+      return other.is_straight() && own.is_on_line_or_circle(other.at(0)) && own.is_on_line_or_circle(other.at(1));
     return own.circle() && own.circle() == other.circle();
   }
 
+  // Whether no disk that touches a front touches an arc elsewhere: it lies on the line or circle of the front; or it is a segment that ends in the vertex of the front, or is behind one.
+  bool is_never_touched(std::size_t front, std::size_t arc) const
+  {
+    if (!m_fronts[front].is_fan)
+      return is_on_line_or_circle_of(front, arc);
+    const auto& ends = m_vertices[m_fronts[front].object].ends;
+    return m_arcs[arc].is_straight() && std::any_of(ends.begin(), ends.end(), [&](const Arc_end& end) { return is_on_ray_of(m_arcs[arc], end); });
+  }
+
 private:
+  // Whether a straight arc lies on the line of another one, on the same side of an end of that.
+  bool is_on_ray_of(const Site_arc_2& arc, const Arc_end& end) const
+  {
+    const Site_arc_2& segment = m_arcs[end.arc];
+    if (!segment.is_straight() || !segment.is_on_line_or_circle(arc.at(0)) || !segment.is_on_line_or_circle(arc.at(1)))
+      return false;
+    const Exact_pair p = segment.at(end.is_end), q = arc.at(Exact_rational(1) / 2);
+    return sign_of(exact_dot(direction(end), Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) > 0;
+  }
+
   // The first derivative that is not zero, up to its length: from the end to the next control point that is another point, whatever the signs of their weights.
   static Exact_pair direction_of(const Site_arc_2& arc, bool is_end)
   {
@@ -275,14 +331,6 @@ private:
         return d;
     }
     return {};
-  }
-
-  std::size_t vertex_at(const Exact_pair& point)
-  {
-    const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
-    if (is_new)
-      m_vertices.push_back({point, {interval_of(point[0]), interval_of(point[1])}, {}, {}});
-    return position->second;
   }
 
   // 0 for directions in the upper half-plane with the positive x-axis, 1 for others
@@ -304,6 +352,21 @@ private:
     }
   }
 
+  // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less than 180 degrees, or that because one curve passes.
+  bool is_order_proved(const Vertex& vertex) const
+  {
+    for (std::size_t i = 0; i < vertex.ends.size(); ++i) {
+      const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + 1) % vertex.ends.size()];
+      if (is_exact(a) && is_exact(b))
+        continue;
+      const auto way = [&](const Arc_end& end) { return Interval(end.is_end ? -1 : 1) * m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]; };
+      const bool is_one_curve = sign_of(exact_cross(direction(a), direction(b))) == 0 && a.is_end != b.is_end && (a.is_end ? b.arc == a.arc + 1 : a.arc == b.arc + 1);
+      if (!is_one_curve && certain_sign(dot(turned_left(way(a)), way(b))) <= 0)
+        return false;
+    }
+    return true;
+  }
+
   void find_continuations(const Vertex& vertex)
   {
     for (const Arc_end& a : vertex.ends)
@@ -317,10 +380,16 @@ private:
           continue;
         const Exact_rational ratio = CGAL::abs(Exact_rational(t[k] / s[k]));
         if (const int turn = sign_of(exact_cross(p, q)); turn == 0)
-          m_continuations[a.arc][a.is_end] = {b, interval_of(ratio)};
+          m_continuations[a.arc][a.is_end] = {b, is_exact(a) && is_exact(b) ? interval_of(ratio) : ratio_of_speeds(a, b, k)};
         else if (vertex.ends.size() == 2 && is_small_turn(p, q))
           m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
+  }
+
+  Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
+  {
+    const auto speed = [&](const Arc_end& end) { return CGAL::abs(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate]); };
+    return speed(b) / speed(a);
   }
 
   static bool is_small_turn(const Exact_pair& p, const Exact_pair& q)
@@ -402,39 +471,6 @@ inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
   std::vector<std::size_t> result(graph.fronts().size());
   std::iota(result.begin(), result.end(), 0);
   return result;
-}
-
-template <SplineKernel Kernel>
-Exact_pair exact_coordinates(const CGAL::Point_2<Kernel>& point)
-{
-  return {converted_number<Exact_rational>(point.x()), converted_number<Exact_rational>(point.y())};
-}
-
-template <ParametricCurve_2 Curve>
-void add_sites(Site_graph_2& graph, const Curve& curve, std::size_t index)
-{
-  for (Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve)))
-    graph.add_arc(std::move(piece), index);
-}
-
-template <SplineKernel Kernel>
-void add_sites(Site_graph_2& graph, const CGAL::Point_2<Kernel>& point, std::size_t)
-{
-  graph.add_point(exact_coordinates(point));
-}
-
-// The graph of curves and isolated points.
-template <class Curves, class Points>
-std::shared_ptr<const Site_graph_2> site_graph(const Curves& curves, const Points& points)
-{
-  auto graph = std::make_shared<Site_graph_2>();
-  std::size_t index = 0;
-  for (const auto& curve : curves)
-    add_sites(*graph, curve, index++);
-  for (const auto& point : points)
-    add_sites(*graph, point, index);
-  graph->close();
-  return graph;
 }
 
 } // namespace internal

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_GRAPH_OF_CROSSING_CURVES_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_GRAPH_OF_CROSSING_CURVES_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Curve_crossings_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// The graph of curves, cut where they cross, and of isolated points.
+class Graph_of_crossing_curves
+{
+  const Curve_crossings_2& m_crossings;
+  std::shared_ptr<Site_graph_2> m_graph = std::make_shared<Site_graph_2>();
+  std::vector<std::optional<std::size_t>> m_vertices;   // of the crossings, made when they are needed
+
+public:
+  template <class Curves, class Points>
+  Graph_of_crossing_curves(const Curve_crossings_2& crossings, const Curves& curves, const Points& points) : m_crossings(crossings), m_vertices(crossings.size())
+  {
+    std::size_t index = 0;
+    for (const auto& curve : curves) {
+      for (const Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve)))
+        add_parts(piece, index);
+      ++index;
+    }
+    for (const auto& point : points)
+      add_sites(*m_graph, point, index);
+    m_graph->close();
+  }
+
+  std::shared_ptr<const Site_graph_2> operator()() const { return m_graph; }
+
+private:
+  using Cut = Curve_crossings_2::Cut;
+
+  // Those of a piece between successive cuts.
+  void add_parts(const Homogeneous_piece& piece, std::size_t curve)
+  {
+    const std::vector<Cut> cuts = m_crossings.cuts(curve, piece.domain);
+    for (std::size_t i = 0; i <= cuts.size(); ++i) {
+      const Exact_rational begin = i == 0 ? piece.domain.first : cuts[i - 1].middle(), end = i == cuts.size() ? piece.domain.second : cuts[i].middle();
+      Homogeneous_piece part{{begin, end}, piece.coordinates};
+      for (Bernstein_tensor<Exact_rational>& tensor : part.coordinates)
+        tensor = tensor.restricted(0, piece.local(begin), piece.local(end));
+      const auto place = [&](const Cut& cut) { return Site_graph_2::Place_of_end{vertex(cut.crossing), Exact_rational(cut.width() / (end - begin))}; };
+      m_graph->add_arc(std::move(part), curve, {i == 0 ? std::nullopt : std::optional(place(cuts[i - 1])), i == cuts.size() ? std::nullopt : std::optional(place(cuts[i]))});
+    }
+  }
+
+  std::size_t vertex(std::size_t crossing)
+  {
+    std::optional<std::size_t>& result = m_vertices[crossing];
+    if (!result)
+      result = m_crossings.point(crossing) ? m_graph->add_point(*m_crossings.point(crossing)) : m_graph->add_crossing(m_crossings.near_point(crossing));
+    return *result;
+  }
+};
+
+template <class Concurrency_tag, class Curves, class Points>
+std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const Curves& curves, const Points& points)
+{
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves), curves, points)();
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_GRAPH_OF_CROSSING_CURVES_2_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams of curves that cross each other or themselves, or end on another one: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <vector>
+
+namespace {
+namespace crossing_curves {
+
+// Complete, planar, of empty disks; the parts of each curve follow each other.
+void expect_right(const Diagram& diagram, const Curves& curves, std::size_t regions)
+{
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.number_of_regions(), regions);
+  EXPECT_GT(diagram.edges().size(), 0U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+  std::map<std::size_t, double> ends;
+  for (const auto& site : diagram.sites())
+    if (!site.is_point) {
+      const auto [last, is_first] = ends.emplace(site.curve, 0);
+      EXPECT_EQ(site.parameters[0], last->second);
+      EXPECT_LT(site.parameters[0], site.parameters[1]);
+      last->second = site.parameters[1];
+    }
+  EXPECT_EQ(ends.size(), curves.size());
+  for (const auto& [curve, end] : ends)
+    EXPECT_EQ(end, 1);
+}
+
+std::size_t number_of_parts(const Diagram& diagram)
+{
+  return static_cast<std::size_t>(std::count_if(diagram.sites().begin(), diagram.sites().end(), [](const auto& site) { return !site.is_point; }));
+}
+
+TEST(CrossingCurves, Circles)
+{
+  // Radii 5 around (-2, 0) and (2, 0): they cross in (0, +-sqrt(21)). Within both or outside of both the bisector is the y-axis; within one of them the ellipse whose foci are the centers.
+  const Curves circles{SC::ellipse_curve(P(-2, 0), K::Vector_2(3, 4), K::Vector_2(-4, 3)), SC::ellipse_curve(P(2, 0), K::Vector_2(4, 3), K::Vector_2(-3, 4))};
+  const Diagram diagram = SC::voronoi_diagram(circles);
+  expect_right(diagram, circles, 1);
+  EXPECT_EQ(number_of_parts(diagram), 12U);
+  std::size_t on_axis = 0, on_ellipse = 0, tips = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, 0.05, 20)) {
+      const double x = sample.point.x(), y = sample.point.y(), outside = x * x / 25 + y * y / 21 - 1;
+      const bool is_axis = std::abs(x) < 1e-9, is_ellipse = std::abs(outside) < 1e-9;
+      EXPECT_TRUE(is_axis || is_ellipse) << x << ' ' << y;
+      on_axis += is_axis;
+      on_ellipse += is_ellipse;
+    }
+  EXPECT_GT(on_axis, 10U);
+  EXPECT_GT(on_ellipse, 10U);
+  for (const auto& vertex : diagram.vertices())
+    if (!vertex.is_at_infinity && vertex.edges.size() == 1) {   // the crossings, one from each of four sides
+      EXPECT_NEAR(std::abs(vertex.point.y()), std::sqrt(21.0), 1e-9);
+      ++tips;
+    }
+  EXPECT_EQ(tips, 8U);
+}
+
+TEST(CrossingCurves, Segments)
+{
+  const Curves segments{bezier({P(0, 0), P(4, 1)}), bezier({P(1, 3), P(2, -2)})};
+  const Diagram diagram = SC::voronoi_diagram(segments);
+  expect_right(diagram, segments, 1);
+  EXPECT_EQ(number_of_parts(diagram), 4U);
+}
+
+// A segment that ends on another one: the contacts of the disks on its sides run up to the end of the other one, and beyond.
+TEST(CrossingCurves, EndOnASegment)
+{
+  const Curves segments{bezier({P(0, 0), P(4, 0)}), bezier({P(2, 0), P(2, 3)})};
+  const Diagram diagram = SC::voronoi_diagram(segments);
+  expect_right(diagram, segments, 1);
+  EXPECT_EQ(number_of_parts(diagram), 3U);
+  const bool has_event = std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return !v.is_at_infinity && distance(v.point, P(0, 2)) < 1e-9; });
+  EXPECT_TRUE(has_event);
+}
+
+// The point is (1, 1), and its parameter on the other segment (sqrt(5) - 1) / 2.
+TEST(CrossingCurves, EndAtAnIrrationalParameter)
+{
+  const Curves segments{bezier({P(0, 0), P(0.5, 0.5), P(2, 2)}), bezier({P(1, 1), P(1, -2)})};
+  const Diagram diagram = SC::voronoi_diagram(segments);
+  expect_right(diagram, segments, 1);
+  EXPECT_EQ(number_of_parts(diagram), 3U);
+  EXPECT_NEAR(diagram.sites()[0].parameters[1], (std::sqrt(5.0) - 1) / 2, 1e-15);
+}
+
+// Three segments through (1/3, 1/3), which no doubles are.
+TEST(CrossingCurves, ThreeSegmentsThroughAPoint)
+{
+  const Curves segments{bezier({P(0, 0), P(1, 1)}), bezier({P(-0.25, 1.5), P(0.75, -0.5)}), bezier({P(-1, 1), P(1.5, -0.25)})};
+  const Diagram diagram = SC::voronoi_diagram(segments);
+  expect_right(diagram, segments, 1);
+  EXPECT_EQ(number_of_parts(diagram), 6U);
+}
+
+TEST(CrossingCurves, Loop)
+{
+  const Curves loop{bezier({P(0, 0), P(6, 4), P(-2, 4.2), P(4.1, 0.3)})};
+  const Diagram diagram = SC::voronoi_diagram(loop);
+  expect_right(diagram, loop, 1);
+  EXPECT_EQ(number_of_parts(diagram), 3U);
+}
+
+// Curves that touch, or three of them through an irrational point, are not cut; the diagram says that it is not complete.
+TEST(CrossingCurves, ContactsAreNotResolved)
+{
+  EXPECT_FALSE(SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-1, 0), P(1, 0.0)})}).is_complete());
+  const Curves parabolas{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 2), P(2, 2)}), bezier({P(-2, 0), P(0, 4), P(2, 0)})};   // y = x^2, 2, 4 - x^2
+  EXPECT_FALSE(SC::voronoi_diagram(parabolas).is_complete());
+}
+
+TEST(CrossingCurves, RandomCubics)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  std::size_t crossings = 0;
+  for (int run = 0; run < 8; ++run) {
+    Curves curves;
+    for (int i = 0; i < 2 + run % 4; ++i) {
+      std::vector<P> points;
+      for (int k = 0; k < 4; ++k) {
+        const double x = coordinate(random);
+        points.emplace_back(x, coordinate(random));
+      }
+      curves.push_back(bezier(points));
+    }
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    crossings += number_of_parts(diagram) - curves.size();
+    expect_right(diagram, curves, diagram.number_of_regions());
+  }
+  EXPECT_GT(crossings, 20U);
+}
+
+} // namespace crossing_curves
+} // namespace
