@@ -163,11 +163,11 @@ public:
   // The place of a cut between the ends of a range, without which no coefficient can be formed.
   double parameter(int cut) const { return (m_cuts[cut] - m_ends[0]) / (m_ends[1] - m_ends[0]); }
 
-  // What a cut adds to the errors: third <- third + u (third + second).
+  // What a cut adds to the errors, in memory of their own: fourth <- fourth + u (fourth + first).
   void add_errors(std::size_t count)
   {
-    const double* __restrict a = m_second.data();
-    double* __restrict b = m_third.data();
+    const double* __restrict a = m_first.data();
+    double* __restrict b = m_fourth.data();
     for (std::size_t i = 0; i < count; ++i)
       b[i] = b[i] + 0x1p-50 * (b[i] + a[i]);
     benchmark::ClobberMemory();
