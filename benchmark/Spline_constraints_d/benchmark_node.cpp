@@ -11,7 +11,8 @@
 //
 // split        at one half, along each axis in turn (per axis): the means of de Casteljau's scheme
 // restrict     to a part, along each axis in turn (per axis): two cuts
-// bounds       least and largest control point per function
+//              (both bring the error bounds up to date, which is in the roofline; so are the quotients that tell where to cut)
+// bounds       least and largest control point per function, wider by its error
 // linear       bounds, slopes and the bounds of what the linear part leaves
 // precondition the linear rows: elimination and products, once linear is there
 // reduction    linear, precondition and the contraction with the layers of control points
@@ -48,6 +49,7 @@ namespace SC = CGAL::Spline_constraints;
 using SC::internal::Block;
 using SC::internal::System_layout;
 using SC::internal::unroll;
+using SC::internal::greater, SC::internal::load, SC::internal::magnitude, SC::internal::store;
 
 using Node = SC::internal::Box_node<double>;
 
@@ -94,10 +96,10 @@ Node make_node(const System_layout& layout)
         const double s = static_cast<double>(i % block.lengths[j] / block.lengths[j + 1]) / block.degrees[j] - 0.5;
         value += block.axes[j] == f ? s : block.axes[j] == (f + 1) % layout.dimension ? 0.3 * s : 0;
       }
-      node.coefficients[block.offset + i] = value;
+      node.coefficients()[block.offset + i] = value;
     }
-  std::fill(node.errors.begin(), node.errors.end(), 0x1p-50);
-  std::fill(node.sizes.begin(), node.sizes.end(), 2.0);
+  std::fill(node.errors().begin(), node.errors().end(), 0x1p-50);
+  std::fill(node.sizes().begin(), node.sizes().end(), 2.0);
   return node;
 }
 
@@ -122,12 +124,13 @@ class Roofline
   static constexpr int width = 8;
   using Numbers = Eigen::Array<double, width, 1>;
 
-  std::vector<double> m_first, m_second, m_third;
+  std::vector<double> m_first, m_second, m_third, m_fourth;
+  std::array<double, 2> m_ends{0, 1}, m_cuts{0.25, 0.75};
 
 public:
   // For ranges of so many numbers; longer ones are taken in parts.
   explicit Roofline(std::size_t size)
-    : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125)
+    : m_first(size + width, 0.5), m_second(size + width, 0.25), m_third(size + width, 0.125), m_fourth(2 * (size + width), 0.0)
   {}
 
   // second <- (first + second) / 2, in rows of the whole length.
@@ -143,10 +146,10 @@ public:
     }
   }
 
-  // second <- s first + t second.
-  void blends(std::size_t count)
+  // second <- s first + t second, with s = 1 - t.
+  void blends(std::size_t count, double t = 0.125)
   {
-    const double s = m_third[0], t = 1 - s;
+    const double s = 1 - t;
     for (; count > 0; count -= (std::min)(count, m_first.size())) {
       const std::size_t size = (std::min)(count, m_first.size());
       const double* __restrict a = m_first.data();
@@ -155,6 +158,43 @@ public:
         b[i] = s * a[i] + t * b[i];
       benchmark::ClobberMemory();
     }
+  }
+
+  // The place of a cut between the ends of a range, without which no coefficient can be formed.
+  double parameter(int cut) const { return (m_cuts[cut] - m_ends[0]) / (m_ends[1] - m_ends[0]); }
+
+  // What a cut adds to the errors, in memory of their own: fourth <- fourth + u (fourth + first).
+  void add_errors(std::size_t count)
+  {
+    const double* __restrict a = m_first.data();
+    double* __restrict b = m_fourth.data();
+    for (std::size_t i = 0; i < count; ++i)
+      b[i] = b[i] + 0x1p-50 * (b[i] + a[i]);
+    benchmark::ClobberMemory();
+  }
+
+  // Bounds from below and from above become wider by an error, and by what their own size lets the analysis add.
+  void widen(std::size_t count)
+  {
+    const double *error = m_first.data(), *lower = m_second.data(), *upper = m_third.data();
+    double *below = m_fourth.data(), *above = below + count;
+    SC::internal::for_each_place(count, [=](auto type, std::size_t i) {
+      const auto low = load(type, lower + i), high = load(type, upper + i);
+      const auto by = load(type, error + i) + greater(magnitude(low), magnitude(high)) * 0x1p-45;
+      store(below + i, low - by);
+      store(above + i, high + by);
+    });
+    benchmark::ClobberMemory();
+  }
+
+  // third <- third + second.
+  void add(std::size_t count)
+  {
+    const double* __restrict a = m_second.data();
+    double* __restrict b = m_third.data();
+    for (std::size_t i = 0; i < count; ++i)
+      b[i] += a[i];
+    benchmark::ClobberMemory();
   }
 
   void copy(std::size_t size)
@@ -185,14 +225,23 @@ public:
     accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
   }
 
-  // What the linear rows cannot do without: elimination in place, in which each pivot waits for the one before, and then the products of the inverse with rows and right-hand sides, and a quotient per row.
+  // What the linear rows cannot do without: elimination in place, in which each pivot waits for the one before; the products of the inverse with rows and right-hand sides, of these with middles and radii;
+  // and per row a quotient and what the other unknowns add to the radius.
   template <int n>
   void precondition()
   {
-    const Square<n> rows = some_rows<n>(), product = multiply<n>(eliminate<n>(rows), rows);
+    const Square<n> rows = some_rows<n>(), inverse = eliminate<n>(rows), product = multiply<n>(inverse, rows);
     unroll<n>([&](auto i) {
-      unroll<n>([&](auto j) { m_third[i * n + j] = product[i][j]; });
-      unroll<2>([&](auto j) { m_second[i * n + j] = product[i][j] / product[i][i]; });
+      double middle = 0, radius = 0;
+      unroll<n>([&](auto k) {
+        m_third[i * n + k] = product[i][k];
+        middle += inverse[i][k] * m_fourth[k];
+        radius += std::abs(inverse[i][k]) * m_fourth[n + k];
+      });
+      unroll<n>([&](auto j) { radius += j == i ? 0 : std::abs(product[i][j]); });
+      const double factor = 1 / product[i][i];
+      m_second[2 * i] = middle * factor;
+      m_second[2 * i + 1] = radius * factor;
     });
     wait_for(m_first[0], m_second[0]);
   }
@@ -321,26 +370,36 @@ struct Fixture
   // Coefficients that one axis concerns.
   std::size_t share() const { return size / layout.blocks.size(); }
 
-  void forget() { view.reset(node.coefficients.data(), node.errors.data()); }
+  void forget() { view.reset(node.coefficients().data(), node.errors().data()); }
 
   // Rooflines.
   // What a node has beside its coefficients: two bounds per block and function, the scales of the functions and the box.
   void plain_copy_of_the_rest() { roofline.copy(2 * layout.errors + layout.functions + 2 * n); }
   void plain_precondition() { n == 2 ? roofline.precondition<2>() : n == 3 ? roofline.precondition<3>() : roofline.precondition<4>(); }
   void plain_invert() { n == 2 ? roofline.invert<2>() : n == 3 ? roofline.invert<3>() : roofline.invert<4>(); }
-  void plain_linear()
+  // Bounds per block and function, and their sums per function.
+  void plain_bounds()
   {
     roofline.bound(size);
+    roofline.widen(layout.errors);
+    roofline.add(2 * (layout.errors - layout.functions));
+  }
+  void plain_linear()
+  {
+    plain_bounds();
     if (is_dense())
       roofline.sum((std::min)(size, 2 * n * size / (degree + 1)));
     else
       roofline.sum(2 * n * layout.blocks.size());
     roofline.bound_differences(size);
+    roofline.widen(layout.errors);
   }
   void plain_derivatives()
   {
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
       roofline.bound_differences(share());
+      roofline.widen(layout.functions);
+    }
   }
 };
 
@@ -348,14 +407,16 @@ void split(benchmark::State& state, const System_layout& layout, int degree)
 {
   Fixture f(layout, degree);
   const auto step = [&] {
-    for (int j = 0; j < f.n; ++j)
+    for (int j = 0; j < f.n; ++j) {
       f.node.split(f.layout, j, 0.5, f.above);
-    reset_box(f.node);
+      f.node.upper[j] = 1;
+    }
   };
   compare(state, f.size, f.n, step, [&] {
     for (int j = 0; j < f.n; ++j) {
       f.roofline.means(f.share() * degree / 2);
       f.roofline.copy(f.size);
+      f.roofline.add_errors(f.layout.functions);
       f.plain_copy_of_the_rest();
     }
   });
@@ -365,13 +426,18 @@ void restrict(benchmark::State& state, const System_layout& layout, int degree)
 {
   Fixture f(layout, degree);
   const auto step = [&] {
-    for (int j = 0; j < f.n; ++j)
+    for (int j = 0; j < f.n; ++j) {
       f.node.restrict_axis(f.layout, j, 0.25, 0.75);
-    reset_box(f.node);
+      f.node.lower[j] = 0;
+      f.node.upper[j] = 1;
+    }
   };
   compare(state, f.size, f.n, step, [&] {
-    for (int j = 0; j < f.n; ++j)
-      f.roofline.blends(f.share() * degree);
+    for (int j = 0; j < f.n; ++j) {
+      f.roofline.blends(f.share() * degree / 2, f.roofline.parameter(0));
+      f.roofline.blends(f.share() * degree / 2, f.roofline.parameter(1));
+      f.roofline.add_errors(f.layout.functions);
+    }
   });
 }
 
@@ -382,7 +448,7 @@ void bounds(benchmark::State& state, const System_layout& layout, int degree)
     f.forget();
     benchmark::DoNotOptimize(f.view.lower(0));
   };
-  compare(state, f.size, 1, step, [&] { f.roofline.bound(f.size); });
+  compare(state, f.size, 1, step, [&] { f.plain_bounds(); });
 }
 
 void linear(benchmark::State& state, const System_layout& layout, int degree)
@@ -415,7 +481,7 @@ void reduction(benchmark::State& state, const System_layout& layout, int degree)
     f.linear.precondition(f.view);
     f.box.reset(f.n);
     f.reduction.contract(f.view, f.linear, f.box);
-    wait_for(f.node.coefficients[0], f.box.lower[0]);
+    wait_for(f.node.coefficients()[0], f.box.lower[0]);
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();
@@ -436,6 +502,7 @@ void dense(benchmark::State& state, const System_layout& layout, int degree)
           [&] {
             f.plain_invert();
             f.roofline.blends(f.size * f.n / 2);
+            f.roofline.widen(f.n * f.n);   // the error of each product of an entry of C and a function
           });
 }
 
@@ -447,7 +514,7 @@ void derivatives(benchmark::State& state, const System_layout& layout, int degre
     benchmark::DoNotOptimize(f.view.derivative_lower(0));
   };
   compare(state, f.size, 1, step, [&] {
-    f.roofline.bound(f.size);
+    f.plain_bounds();
     f.plain_derivatives();
   });
 }
@@ -458,7 +525,7 @@ void image(benchmark::State& state, const System_layout& layout, int degree)
   const auto step = [&] {
     f.forget();
     f.linear.precondition(f.view);
-    wait_for(f.node.coefficients[0], SC::contraction_bound(f.view, f.linear, f.bounds));
+    wait_for(f.node.coefficients()[0], SC::contraction_bound(f.view, f.linear, f.bounds));
   };
   compare(state, f.size, 1, step, [&] {
     f.plain_linear();

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -73,6 +74,20 @@ struct Line_bounds
     }
   }
 };
+
+// The least and the largest difference of neighbours among `count` numbers every `step` places; at least two of them.
+template <class Number>
+inline std::pair<Number, Number> bound_differences(const double* data, std::size_t count, std::size_t step)
+{
+  Number previous = load(Number(), data + step), least = previous - load(Number(), data), most = least;
+  for (std::size_t k = 2; k < count; ++k) {
+    const Number value = load(Number(), data + k * step), difference = value - previous;
+    least = lesser(least, difference);
+    most = greater(most, difference);
+    previous = value;
+  }
+  return {least, most};
+}
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -7,8 +7,10 @@
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -113,52 +115,86 @@ inline void change_lines(double* data, const Axis_view& view, const Change& chan
   }
 }
 
-// in_registers(integral_constant<int, degree>) where that can be done, in_rows() elsewhere.
-template <class NT, class In_registers, class In_rows>
-inline void run_de_casteljau(int degree, const In_registers& in_registers, const In_rows& in_rows)
+template <class Mean>
+struct Split_lines
 {
-  if constexpr (std::is_same_v<NT, double>)
-    run_with_constant<most_degree_in_registers>(static_cast<std::size_t>(degree), [&](auto d) {
-      if constexpr (d > 0)
-        in_registers(d);
-      else
-        in_rows();
+  template <int degree>
+  static void run(double* data, double* after, const Axis_view& view, Mean mean)
+  {
+    change_lines<degree>(data, view, [=, inner = view.inner](auto& b, std::size_t position) {
+      keep_before<degree>(b, mean, [=](std::size_t k, const auto& x) { store(after + position + k * inner, x); });
     });
-  else
-    in_rows();
+  }
+};
+
+template <class Mean>
+struct Restrict_lines
+{
+  template <int degree>
+  static void run(double* data, const Axis_view& view, Mean first, Mean second, bool cuts_before, bool cuts_after)
+  {
+    change_lines<degree>(data, view, [=](auto& b, std::size_t) {
+      if (cuts_before)
+        keep_after<degree>(b, first);
+      if (cuts_after)
+        keep_before<degree>(b, second, [](std::size_t, const auto&) {});
+    });
+  }
+};
+
+// Runs the kernel that was compiled for the degree; false when there is none. They are functions of their own: in one, registers would run out.
+template <class Kernel, class... Arguments>
+inline bool run_in_registers(int degree, Arguments&&... arguments)
+{
+  static constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) { return std::array{&Kernel::template run<k + 1>...}; }(
+    std::make_integer_sequence<int, most_degree_in_registers>());
+  if (degree < 1 || degree > most_degree_in_registers)
+    return false;
+  kernels[degree - 1](arguments...);
+  return true;
 }
 
 template <class NT, class Mean>
 inline void split(NT* data, NT* after, const Axis_view& view, const Mean& mean)
 {
-  run_de_casteljau<NT>(
-    view.degree,
-    [&](auto degree) {
-      change_lines<degree>(data, view, [&, inner = view.inner](auto& b, std::size_t position) {
-        keep_before<degree>(b, mean, [&](std::size_t k, const auto& x) { store(after + position + k * inner, x); });
-      });
-    },
-    [&] { split_rows(data, after, view, mean); });
+  if constexpr (std::is_same_v<NT, double>)
+    if (run_in_registers<Split_lines<Mean>>(view.degree, data, after, view, mean))
+      return;
+  split_rows(data, after, view, mean);
 }
+
+// The middle of two numbers.
+template <class NT>
+struct Middle
+{
+  NT half = NT(0.5);
+
+  template <class Number>
+  Number operator()(const Number& a, const Number& b) const { return (a + b) * half; }
+};
+
+// s a + t b, with s = 1 - t.
+template <class NT>
+struct Blend
+{
+  NT s, t;
+
+  explicit Blend(const NT& given_t) : s(NT(1) - given_t), t(given_t) {}
+
+  template <class Number>
+  Number operator()(const Number& a, const Number& b) const { return a * s + b * t; }
+};
 
 template <class NT>
 inline void split_at_one_half(NT* data, NT* after, const Axis_view& view)
 {
-  const NT half(0.5);
-  split(data, after, view, [&](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return (a + b) * half; });
-}
-
-// a <- s a + t b, with s = 1 - t.
-template <class NT>
-auto blend(const NT& t)
-{
-  return [s = NT(NT(1) - t), t](const auto& a, const auto& b) -> std::decay_t<decltype(b)> { return a * s + b * t; };
+  split(data, after, view, Middle<NT>());
 }
 
 template <class NT>
 inline void split_at(NT* data, NT* after, const Axis_view& view, const NT& t)
 {
-  split(data, after, view, blend(t));
+  split(data, after, view, Blend<NT>(t));
 }
 
 // Replaces `data` by the part between two parameters, which may lie outside [0,1]. `inner_t` is (t1 - t0) / (1 - t0), the
@@ -166,23 +202,14 @@ inline void split_at(NT* data, NT* after, const Axis_view& view, const NT& t)
 template <class NT>
 inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT& inner_t, bool cuts_before, bool cuts_after)
 {
-  const auto first = blend(t0), second = blend(inner_t);
-  run_de_casteljau<NT>(
-    view.degree,
-    [&](auto degree) {
-      change_lines<degree>(data, view, [&](auto& b, std::size_t) {
-        if (cuts_before)
-          keep_after<degree>(b, first);
-        if (cuts_after)
-          keep_before<degree>(b, second, [](std::size_t, const auto&) {});
-      });
-    },
-    [&] {
-      if (cuts_before)
-        keep_after_in_rows(data, view, first);
-      if (cuts_after)
-        split_rows(data, static_cast<NT*>(nullptr), view, second);
-    });
+  const Blend<NT> first(t0), second(inner_t);
+  if constexpr (std::is_same_v<NT, double>)
+    if (run_in_registers<Restrict_lines<Blend<NT>>>(view.degree, data, view, first, second, cuts_before, cuts_after))
+      return;
+  if (cuts_before)
+    keep_after_in_rows(data, view, first);
+  if (cuts_after)
+    split_rows(data, static_cast<NT*>(nullptr), view, second);
 }
 
 } // namespace internal

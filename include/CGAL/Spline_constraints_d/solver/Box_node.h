@@ -93,14 +93,17 @@ bool is_one_half(const NT& parameter)
   }
 }
 
-// For few numbers, where the call of a library function would cost more than they do.
+// Calls no library function for few numbers, as are those of most nodes of curves: the call would cost more than they do.
 template <class T>
-void copy_few(const std::vector<T>& from, std::vector<T>& to)
+void copy_numbers(const T* from, std::size_t count, T* to)
 {
-  if constexpr (std::is_same_v<T, double>)
-    for_each_place(from.size(), [source = from.data(), target = to.data()](auto type, std::size_t i) { store(target + i, load(type, source + i)); });
+  constexpr std::size_t few = 64;
+  if (count > few || !std::is_arithmetic_v<T>)
+    std::copy_n(from, count, to);
+  else if constexpr (std::is_same_v<T, double>)
+    for_each_place(count, [=](auto type, std::size_t i) { store(to + i, load(type, from + i)); });
   else
-    for (std::size_t i = 0, size = from.size(); i < size; ++i)
+    for (std::size_t i = 0; i < count; ++i)
       to[i] = from[i];
 }
 
@@ -109,25 +112,42 @@ A box of the subdivision with the Bernstein coefficients of all functions on exa
 (unpadded doubles lose roots); other number types carry their error themselves.
 */
 template <class NT>
-struct Box_node
+class Box_node
 {
+public:
   using Coordinate = typename Number_traits<NT>::Coordinate;
 
-  std::vector<NT> coefficients;
-  std::vector<double> errors;
-  std::vector<double> sizes;   // per block and function: a bound on |coefficient|, doubles only
   std::vector<long> scale;     // per function: the coefficients are those of the function times 2^-scale
   std::vector<Coordinate> lower, upper;
 
+private:
+  static constexpr bool has_errors = std::is_same_v<NT, double>;
+
+  std::vector<NT> m_numbers;      // the coefficients; of doubles, also their bounds, so that what a split leaves alone lies together
+  std::vector<double> m_bounds;   // of other number types
+  std::size_t m_size = 0, m_errors = 0;
+
+public:
   void allocate(const System_layout& layout)
   {
-    coefficients.resize(layout.size);
-    errors.assign(layout.errors, 0);
-    sizes.assign(layout.errors, 0);
+    m_size = layout.size;
+    m_errors = layout.errors;
+    m_numbers.assign(m_size + (has_errors ? 2 * m_errors : 0), NT(0));
+    m_bounds.assign(has_errors ? 0 : 2 * m_errors, 0);
     scale.assign(layout.functions, 0);
     lower.resize(layout.dimension);
     upper.resize(layout.dimension);
   }
+
+  std::span<NT> coefficients() { return {m_numbers.data(), m_size}; }
+  std::span<const NT> coefficients() const { return {m_numbers.data(), m_size}; }
+
+  // Per block and function, a bound on the error of its coefficients.
+  std::span<double> errors() { return {bounds_of(*this), m_errors}; }
+  std::span<const double> errors() const { return {bounds_of(*this), m_errors}; }
+
+  // Per block and function, a bound on |coefficient|; of doubles only.
+  std::span<double> sizes() { return {bounds_of(*this) + m_errors, m_errors}; }
 
   // Whether an axis still has a coordinate between its ends.
   bool can_split(int axis) const { return place_between(lower[axis], upper[axis], 0.5) != lower[axis]; }
@@ -143,18 +163,31 @@ struct Box_node
 
   void copy_from(const Box_node& other)
   {
-    std::copy(other.coefficients.begin(), other.coefficients.end(), coefficients.begin());
-    copy_box_and_errors(other);
+    copy_places({0, other.m_numbers.size()}, other);
+    copy_box(other);
   }
 
 private:
-  void copy_box_and_errors(const Box_node& other)
+  template <class Node>
+  static auto bounds_of(Node& node)
   {
-    copy_few(other.errors, errors);
-    copy_few(other.sizes, sizes);
-    copy_few(other.scale, scale);
-    copy_few(other.lower, lower);
-    copy_few(other.upper, upper);
+    if constexpr (has_errors)
+      return node.m_numbers.data() + node.m_size;
+    else
+      return node.m_bounds.data();
+  }
+
+  void copy_places(const Place_range& range, const Box_node& other) { copy_numbers(other.m_numbers.data() + range.begin, range.end - range.begin, m_numbers.data() + range.begin); }
+
+  // One by one: an end that was set just now is not yet there for who reads two at a time.
+  void copy_box(const Box_node& other)
+  {
+    for (std::size_t j = 0, dimension = lower.size(); j < dimension; ++j) {
+      lower[j] = other.lower[j];
+      upper[j] = other.upper[j];
+    }
+    for (std::size_t f = 0, functions = scale.size(); f < functions; ++f)
+      scale[f] = other.scale[f];
   }
 
   /*
@@ -166,7 +199,7 @@ private:
   void add_error(const Block& block, int degree, int cuts, double growth)
   {
     const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40), relative = 10 * cuts * degree * 0x1p-52;
-    double *error = errors.data() + block.first_error, *size = sizes.data() + block.first_error;
+    double *error = errors().data() + block.first_error, *size = sizes().data() + block.first_error;
     for_each_place(block.functions.size(), [=](auto type, std::size_t m) {
       const auto grown_error = load(type, error + m) * power, grown_size = load(type, size + m) * power;
       store(size + m, grown_size);
@@ -180,26 +213,21 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
 {
   const Coordinate cut = place_between(lower[axis], upper[axis], t);
   const NT parameter = local_parameter<NT>(lower[axis], upper[axis], cut);
-
-  std::size_t next = 0;   // blocks without this axis are copied
-  const auto& affected = layout.blocks_of_axis[axis];
-  const std::size_t affected_blocks = affected.size(), blocks = layout.blocks.size();
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const Block& block = layout.blocks[b];
-    NT* data = coefficients.data() + block.offset;
-    NT* after = above.coefficients.data() + block.offset;
-    if (next < affected_blocks && affected[next].block == b) {
-      const Axis_view view = affected[next++].view;
-      if (is_one_half(parameter))
-        split_at_one_half(data, after, view);
-      else
-        split_at(data, after, view, parameter);
-      if constexpr (std::is_same_v<NT, double>)
-        add_error(block, view.degree, 1, 1);
-    } else
-      std::copy(data, data + block.size(), after);
+  for (const Block_axis& affected : layout.blocks_of_axis[axis]) {
+    const Block& block = layout.blocks[affected.block];
+    NT *data = m_numbers.data() + block.offset, *after = above.m_numbers.data() + block.offset;
+    if (is_one_half(parameter))
+      split_at_one_half(data, after, affected.view);
+    else
+      split_at(data, after, affected.view, parameter);
+    if constexpr (has_errors)
+      add_error(block, affected.view.degree, 1, 1);
   }
-  above.copy_box_and_errors(*this);
+  for (const Place_range& range : layout.ranges_without_axis[axis])
+    above.copy_places(range, *this);
+  if constexpr (has_errors)
+    above.copy_places({m_size, m_numbers.size()}, *this);
+  above.copy_box(*this);
   upper[axis] = cut;
   above.lower[axis] = cut;
 }
@@ -213,15 +241,15 @@ void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Co
   const NT t0 = local_parameter<NT>(lower[axis], upper[axis], new_lower);
   const NT inner_t = local_parameter<NT>(new_lower, upper[axis], new_upper);
   double growth = 1;
-  if constexpr (std::is_same_v<NT, double>) {
-    const double t1 = local_parameter<NT>(lower[axis], upper[axis], new_upper);
-    const double first = t0 < 0 ? 1 - 2 * t0 : 1, second = inner_t > 1 ? 2 * inner_t - 1 : 1;
-    growth = t0 >= 0 && t1 <= 1 ? 1 : first * second * (1 + 0x1p-40);
-  }
+  if constexpr (has_errors)
+    if (new_lower < lower[axis] || new_upper > upper[axis]) {
+      const double first = t0 < 0 ? 1 - 2 * t0 : 1, second = inner_t > 1 ? 2 * inner_t - 1 : 1;
+      growth = first * second * (1 + 0x1p-40);
+    }
   for (const Block_axis& affected : layout.blocks_of_axis[axis]) {
     const Block& block = layout.blocks[affected.block];
-    internal::restrict_to(coefficients.data() + block.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
-    if constexpr (std::is_same_v<NT, double>)
+    internal::restrict_to(m_numbers.data() + block.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
+    if constexpr (has_errors)
       add_error(block, affected.view.degree, (cuts_before ? 1 : 0) + (cuts_after ? 1 : 0), growth);
   }
   lower[axis] = new_lower;
@@ -262,7 +290,7 @@ public:
   const double* errors([[maybe_unused]] const Box_node<NT>& node) const
   {
     if constexpr (std::is_same_v<NT, double>)
-      return node.errors.data();
+      return node.errors().data();
     else
       return m_errors.data();
   }
@@ -270,13 +298,13 @@ public:
   void lower(const System_layout& layout, const Box_node<NT>& node, Node_view& view)
   {
     if constexpr (std::is_same_v<NT, double>)
-      view.reset(node.coefficients.data(), node.errors.data());
+      view.reset(node.coefficients().data(), node.errors().data());
     else {
       m_coefficients.resize(layout.size);
       m_errors.assign(layout.errors, 0);
       for (const Block& block : layout.blocks)
         for (std::size_t i = 0; i < block.size(); ++i) {
-          const auto interval = Number_traits<NT>::enclosure(node.coefficients[block.offset + i]);
+          const auto interval = Number_traits<NT>::enclosure(node.coefficients()[block.offset + i]);
           const double middle = 0.5 * (interval.inf() + interval.sup());
           m_coefficients[block.offset + i] = middle;
           double& error = m_errors[block.first_error + i % block.functions.size()];

@@ -63,7 +63,7 @@ public:
       view.reset(view.coefficients(), m_no_errors.data());
     if constexpr (std::is_same_v<NT, double>)
       for (std::size_t e = 0; e < m_layout.errors; ++e)
-        node.sizes[e] = (std::max)(std::abs(view.block_lower(e)), std::abs(view.block_upper(e)));
+        node.sizes()[e] = (std::max)(std::abs(view.block_lower(e)), std::abs(view.block_upper(e)));
   }
 
   // Applies the Newton operator to the box of a node: mapped into itself by a contraction, it holds exactly one root of C f; image and box disjoint, none.
@@ -116,9 +116,9 @@ public:
   {
     const auto start = std::chrono::steady_clock::now();
     m_source.bernstein_coefficients(cell, std::span<const Coordinate>(node.lower), std::span<const Coordinate>(node.upper),
-                                    node.coefficients.data(), node.errors.data(), node.scale);
+                                    node.coefficients().data(), node.errors().data(), node.scale);
     for (std::size_t e = 0; e < m_layout.errors; ++e)
-      node.sizes[e] = node.errors[e] * 0x1p50;
+      node.sizes()[e] = node.errors()[e] * 0x1p50;
     ++m_summary.restarts;
     m_summary.rebuild_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }

@@ -156,6 +156,8 @@ private:
   void tabulate(const internal::Block& block, const Plan& plan, double* line);
   template <int members>
   void bound_differences(const internal::Block& block, std::size_t axis);
+  void bound_differences_of_line(const internal::Block& block, std::size_t axis);
+  void add_derivatives(const internal::Block& block, std::size_t axis);
 
   void choose_passes(const internal::Block& block, Plan& plan);
 
@@ -221,7 +223,7 @@ inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
   internal::run_with_constant<6>(block.functions.size(), [&](auto members) {
     plan.bound = is_line(block) ? &Node_view::bound_line<members> : &Node_view::bound_block<members>;
     plan.enclose = is_line(block) ? &Node_view::enclose_line : &Node_view::enclose_block<members>;
-    plan.bound_differences = &Node_view::bound_differences<members>;
+    plan.bound_differences = is_line(block) ? &Node_view::bound_differences_of_line : &Node_view::bound_differences<members>;
   });
   if (block.functions.size() > 1 && block.size() <= most_coefficients_of_small)
     internal::run_with_constant<most_axes_of_small>(block.axes.size(), [&](auto axes) {
@@ -430,17 +432,32 @@ void Node_view::bound_differences(const internal::Block& block, std::size_t axis
 {
   const std::size_t functions = functions_of<members>(block), inner = block.lengths[axis + 1], line = block.lengths[axis];
   const double* data = m_coefficients + block.offset;
-  double *lower = m_block_rest_lower.data(), *upper = m_block_rest_upper.data();
   const auto difference = [&](auto type, std::size_t begin, std::size_t i) -> decltype(type) {
     return internal::load(type, data + begin + inner + i) - internal::load(type, data + begin + i);
   };
-  internal::bound_ranges<members>(functions, {block.size() / line, line, line - inner}, difference, difference, lower, upper);
-  for (std::size_t m = 0; m < functions; ++m) {
-    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis];
-    const double size = (std::max)(std::abs(m_block_lower[block.first_error + m]), std::abs(m_block_upper[block.first_error + m]));
-    const double error = 2 * m_errors[block.first_error + m] + internal::analysis_error * size;
-    m_derivative_lower[entry] += block.degrees[axis] * (lower[m] - error);
-    m_derivative_upper[entry] += block.degrees[axis] * (upper[m] + error);
+  internal::bound_ranges<members>(functions, {block.size() / line, line, line - inner}, difference, difference, m_block_rest_lower.data(), m_block_rest_upper.data());
+  add_derivatives(block, axis);
+}
+
+inline void Node_view::bound_differences_of_line(const internal::Block& block, std::size_t axis)
+{
+  const std::size_t functions = block.functions.size();
+  internal::for_each_place(functions, [&](auto type, std::size_t m) {
+    const auto [least, most] = internal::bound_differences<decltype(type)>(m_coefficients + block.offset + m, block.points, functions);
+    internal::store(m_block_rest_lower.data() + m, least);
+    internal::store(m_block_rest_upper.data() + m, most);
+  });
+  add_derivatives(block, axis);
+}
+
+// Adds the bounds of the differences along an axis to the derivatives of the functions.
+inline void Node_view::add_derivatives(const internal::Block& block, std::size_t axis)
+{
+  for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
+    const std::size_t entry = static_cast<std::size_t>(block.functions[m]) * m_layout->dimension + block.axes[axis], e = block.first_error + m;
+    const double size = (std::max)(std::abs(m_block_lower[e]), std::abs(m_block_upper[e])), error = 2 * m_errors[e] + internal::analysis_error * size;
+    m_derivative_lower[entry] += block.degrees[axis] * (m_block_rest_lower[m] - error);
+    m_derivative_upper[entry] += block.degrees[axis] * (m_block_rest_upper[m] + error);
   }
 }
 

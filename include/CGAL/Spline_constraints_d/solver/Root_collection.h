@@ -65,7 +65,7 @@ public:
     m_region.inverse.clear();
     for (int j = 0; j < n; ++j)
       m_region.inverse.insert(m_region.inverse.end(), linear.inverse_row(j), linear.inverse_row(j) + m);
-    m_coefficients = node.coefficients;
+    m_coefficients.assign(node.coefficients().begin(), node.coefficients().end());
     if (is_first)
       m_first_box = make_box(node.lower, node.upper);
   }

@@ -59,6 +59,12 @@ struct Block_axis
   Axis_view view;
 };
 
+// Places of the array, from `begin` on and before `end`.
+struct Place_range
+{
+  std::size_t begin, end;
+};
+
 struct System_layout
 {
   int dimension = 0;
@@ -68,6 +74,7 @@ struct System_layout
   std::size_t errors = 0;   // error bounds
   std::vector<Block> blocks;
   std::vector<std::vector<Block_axis>> blocks_of_axis;
+  std::vector<std::vector<Place_range>> ranges_without_axis;   // the blocks that an axis does not concern, those side by side joined
 
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
@@ -173,6 +180,7 @@ inline System_layout System_layout::of_mixed_equalities(const System_layout& lay
 inline void System_layout::place_blocks()
 {
   blocks_of_axis.resize(dimension);
+  ranges_without_axis.resize(dimension);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     std::vector<std::size_t>& lengths = blocks[b].lengths;
     lengths.assign(blocks[b].axes.size() + 1, blocks[b].functions.size());
@@ -184,6 +192,13 @@ inline void System_layout::place_blocks()
     errors += blocks[b].functions.size();
     for (std::size_t j = 0; j < blocks[b].axes.size(); ++j)
       blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j)});
+    for (int axis = 0; axis < dimension; ++axis)
+      if (!std::binary_search(blocks[b].axes.begin(), blocks[b].axes.end(), axis)) {
+        std::vector<Place_range>& ranges = ranges_without_axis[axis];
+        if (ranges.empty() || ranges.back().end < blocks[b].offset)
+          ranges.push_back({blocks[b].offset, blocks[b].offset});
+        ranges.back().end = size;
+      }
   }
 }
 
