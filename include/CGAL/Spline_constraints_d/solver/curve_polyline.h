@@ -72,7 +72,11 @@ private:
   Point on_curve(const Curve_piece& piece, const Point& near)
   {
     Point result = near;
-    if (move_to_curve(piece.parameter, result) && is_in(piece.box, result))
+    const bool has_moved = move_to_curve(piece.parameter, result);
+    for (std::size_t j = 0; j < result.size(); ++j)
+      if (piece.box[j].first == piece.box[j].second)
+        result[j] = near[j];   // in a face of the domain
+    if (has_moved && is_in(piece.box, result))
       return result;
     const auto slice = Subdivision_solver_d<Certified_solver_traits>()(on_plane(m_system, piece.box, piece.parameter, Exact_rational(near[piece.parameter])));
     if (slice.empty())
