@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_chains.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/simple_factors.h>
 
 #include <algorithm>
 #include <array>
@@ -203,6 +204,18 @@ inline void check_curve_system(const Constraint_system_d& system)
       throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
 }
 
+// Boxes that are left at the tolerance may lie along a curve that an equality counts several times.
+template <class Traits, class Concurrency_tag>
+Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
+{
+  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control)();
+  const auto is_left = [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; };
+  if (std::any_of(result.undecided.begin(), result.undecided.end(), is_left))
+    if (const std::optional<Constraint_system_d> simple = with_simple_factors(system))
+      return All_curves<Traits, Concurrency_tag>(*simple, options, control)();
+  return result;
+}
+
 // What is found of a system: curves that lie in a face of the domain, where an equality has a factor that is zero there, apart from the others.
 template <class Traits, class Concurrency_tag>
 Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, bool finds_faces)
@@ -214,7 +227,7 @@ Found_curves found_curves(const Constraint_system_d& system, const Solver_option
   }
   const std::optional<Vanishing_face> face = finds_faces ? vanishing_face(system) : std::nullopt;
   if (!face)
-    return All_curves<Traits, Concurrency_tag>(system, options, control)();
+    return curves_of_simple_factors<Traits, Concurrency_tag>(system, options, control);
   Found_curves result = found_curves<Traits, Concurrency_tag>(without_face(system, *face), options, control, true);
   if (const std::optional<Constraint_system_d> on_face = system_on_face(system, *face))
     Curves_on_face(*face, result).add(found_curves<Traits, Concurrency_tag>(*on_face, options, control, true));
@@ -258,7 +271,7 @@ where two curves cross transversally, and for isolated solutions with a definite
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
 
-Curves that lie in a face of the domain are found, and where others meet them, if an equality is zero on the whole face; otherwise they are undecided, and so are curves in the plane of a break.
+A curve that an equality counts several times, by a repeated factor, is found once if the equality is one polynomial. Curves that lie in a face of the domain are found, and where others meet them, if an equality is zero on the whole face; otherwise they are undecided, and so are curves in the plane of a break.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
