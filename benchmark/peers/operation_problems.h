@@ -61,9 +61,9 @@ inline std::vector<Operation_problem> surface_problems()
     return squared(0.37, i) + squared(0.61, j);
   });
   using enum Operation;
-  return {{"d1", "two bicubic surfaces: 1 loop, 3 arcs", SURFACES, height_field(3, 0, 3, [&](int i, int j) { return waves(i, j) + h[4 * i + j]; }),
+  return {{"d1", "two bicubic surfaces: 1 loop, 3 arcs (quoted, other machine: GoTools 580)", SURFACES, height_field(3, 0, 3, [&](int i, int j) { return waves(i, j) + h[4 * i + j]; }),
            height_field(3, 0, 3, [&](int i, int j) { return 19 + h[4 * i + j]; }), 0, curves(4)},
-          {"d5", "bicubic surface and plane: 1 loop, 3 arcs", SURFACES, height_field(3, 0, 3, waves), plane(-1, 4, 19), 0, curves(4)},
+          {"d5", "bicubic surface and plane: 1 loop, 3 arcs (quoted, other machine: GoTools 116)", SURFACES, height_field(3, 0, 3, waves), plane(-1, 4, 19), 0, curves(4)},
           {"l1", "bowl and plane: a loop of radius 0.005", SURFACES, bowl, plane(0, 1, 0.005 * 0.005), 0, curves(1)},
           {"l2", "bowl and plane: a loop of radius 0.0005", SURFACES, bowl, plane(0, 1, 0.0005 * 0.0005), 0, curves(1)}};
 }

@@ -6,6 +6,7 @@
 #include "curve_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <gtest/gtest.h>
 
@@ -282,6 +283,27 @@ TEST(Curve_solver, what_is_not_proved_on_a_face_is_not_forgotten)
     pieces_on_side += curve.pieces.size();
   EXPECT_TRUE(!set.is_complete() || pieces_on_side > 0);
   EXPECT_TRUE(!set.curves().empty() || !set.undecided().empty());
+}
+
+// On a circle the chords at a point between the ends of a chord differ by half of the arc, wherever it is; those at a vertex of the polyline by half of both arcs.
+TEST(Curve_solver, polylines_turn_by_small_angles)
+{
+  auto [x, y] = unknowns({-2, 2}, {-2, 2});
+  const std::vector<SC::Constraint> constraints{square(x) + square(y) == 1};
+  const SC::Constraint_system_d system = SC::make_system(constraints);
+  const auto set = SC::solve_curves(system);
+  ASSERT_EQ(set.curves().size(), 1u);
+  const std::size_t few = SC::to_polyline(system, set, set.curves()[0], 1).size();
+  for (const double angle : {0.1, 0.01}) {
+    const auto points = SC::to_polyline(system, set, set.curves()[0], 1, angle);
+    EXPECT_GT(points.size(), few);
+    EXPECT_GE(points.size(), 1 + 3.14 / angle);   // arcs of no more than twice the angle
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const double ax = points[i][0] - points[i - 1][0], ay = points[i][1] - points[i - 1][1], bx = points[i + 1][0] - points[i][0], by = points[i + 1][1] - points[i][1];
+      EXPECT_LE(std::abs(std::atan2(ax * by - ay * bx, ax * bx + ay * by)), 2 * angle * (1 + 1e-9));
+    }
+  }
+  EXPECT_THROW(SC::to_polyline(system, set, set.curves()[0], 1, 0), SC::Invalid_input);
 }
 
 TEST(Curve_solver, bad_input)

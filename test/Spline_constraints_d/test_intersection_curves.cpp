@@ -370,6 +370,40 @@ TEST(Intersection_curves, implicit_surfaces)
   EXPECT_EQ(implicit.curves().size(), 2u);
 }
 
+// A parabolic cylinder touches a plane along a line.
+TEST(Intersection_curves, contact_along_a_curve)
+{
+  const Surface cylinder = height_field(2, [](int i, int) { return i == 1 ? -1 : 1; });   // 4 (u - 1/2)^2
+  const Intersection set = SC::intersection_curves(cylinder, K::Plane_3(0, 0, 1, 0));
+  EXPECT_TRUE(set.is_complete());
+  EXPECT_EQ(set.number_of_open_curves(), 1u);
+  ASSERT_EQ(set.curves().size(), 1u);
+  const auto points = set.polyline(set.curves()[0], 1e-3);
+  EXPECT_GE(points.size(), 3u);
+  for (const Point& p : points)
+    EXPECT_NEAR(CGAL::to_double(p.x()), 0.5 * CGAL::to_double(points.front().x() + points.back().x()), 1e-12);
+}
+
+// z = x y meets the plane z = 0 in two edges, and the plane x = 0 in one. What lies in a seam, or ends in a pole of a sphere, is not found so.
+TEST(Intersection_curves, curves_along_edges)
+{
+  const Surface saddle({1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}, std::vector<Point>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}});
+  const Intersection axes = SC::intersection_curves(saddle, K::Plane_3(0, 0, 1, 0));
+  EXPECT_TRUE(axes.is_complete());
+  EXPECT_EQ(axes.number_of_open_curves(), 2u);
+  EXPECT_EQ(axes.curves().size(), 2u);
+  EXPECT_EQ(axes.singular_points().size(), 1u);
+  for (const SC::Intersection_curve& curve : axes.curves())
+    for (const Point& p : axes.polyline(curve, 1e-3))
+      EXPECT_TRUE(p.z() == 0 && p.x() * p.y() == 0);
+  const Intersection side = SC::intersection_curves(saddle, K::Plane_3(1, 0, 0, 0));
+  EXPECT_TRUE(side.is_complete());
+  EXPECT_EQ(side.number_of_open_curves(), 1u);
+  const Intersection meridians = SC::intersection_curves(SC::sphere_surface<K>(Point(0, 0, 0), 1), K::Plane_3(0, 1, 0, 0));
+  EXPECT_FALSE(meridians.is_complete());
+  EXPECT_FALSE(meridians.undecided().empty());
+}
+
 TEST(Intersection_curves, what_is_not_proved_is_undecided)
 {
   const Surface a = height_field(3, rough_hump);

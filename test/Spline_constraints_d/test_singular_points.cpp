@@ -226,11 +226,35 @@ TEST(Singular_points, on_inequalities)
 
 TEST(Singular_points, what_stays_undecided)
 {
-  for (const P& equation : {y * y - pow(x * x - 2, 3), x * x * (1 + y * y)}) {   // cusps at irrational points; a double line
+  const auto set = solved({y * y - pow(x * x - 2, 3)}, {{-2, Rational(33, 16)}, {-2, 2}});   // cusps at irrational points
+  check_chains(set);
+  EXPECT_FALSE(set.is_complete());
+  EXPECT_TRUE(set.singular_points().empty());
+  EXPECT_FALSE(set.undecided().empty());
+}
+
+// Curves that are there several times are found once, and what is singular on them as it is on simple ones.
+TEST(Singular_points, repeated_factors)
+{
+  const P circle = x * x + y * y - 1, line = x - y - Rational(1, 4);
+  const auto expect = [](const P& equation, std::size_t closed, std::size_t open, std::size_t nodes) {
     const auto set = solved({equation}, {{-2, Rational(33, 16)}, {-2, 2}});
     check_chains(set);
-    EXPECT_FALSE(set.is_complete());
-    EXPECT_TRUE(set.singular_points().empty());
-    EXPECT_FALSE(set.undecided().empty());
+    EXPECT_TRUE(set.is_complete());
+    EXPECT_EQ(set.number_of_closed_curves(), closed);
+    EXPECT_EQ(set.number_of_open_curves(), open);
+    ASSERT_EQ(set.singular_points().size(), nodes);
+    for (const std::size_t i : set.singular_points())
+      EXPECT_EQ(number_of_ends_at(set, i), 4u);
+  };
+  expect(x * x * (1 + y * y), 0, 1, 0);
+  expect(pow(circle, 3), 1, 0, 0);
+  expect(circle * circle * line, 0, 5, 2);   // nodes at irrational points
+  expect(circle * circle * pow(line, 3), 0, 5, 2);
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> place(-8, 8);
+  for (int round = 0; round < 10; ++round) {
+    const P moved = pow(x - Rational(place(random), 10), 2) + pow(y - Rational(place(random), 10), 2) - Rational(1, 4);
+    expect(moved * moved * (Rational(20) + x * y), 1, 0, 0);
   }
 }

@@ -11,7 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_cuts.h>
 
@@ -103,7 +103,7 @@ public:
       (point.is_certified() ? poles : rest).push_back(point.exact_box());
     const std::size_t multiple = rest.size();
     const Constraint_system_d system = internal::system_of(constraints, unknowns);
-    m_parts.push_back({parts, system, internal::Curve_cuts(internal::curves_or_continuum(system, options))(poles, rest)});
+    m_parts.push_back({parts, system, internal::Curve_cuts(internal::curves_within(system, options))(poles, rest)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
     const internal::Seam_joints joints(system, set, parts.closed_unknowns);
     for (const Intersection_curve& curve : joints.curves()) {

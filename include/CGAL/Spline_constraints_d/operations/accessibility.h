@@ -219,7 +219,7 @@ private:
     for (std::size_t i = 0; i < domain.size(); ++i)
       if (i < 2 ? part.is_seam[i] && (!m_field || m_field->is_closed(static_cast<int>(i))) : is_closed[i - 2])
         joints.closed_unknowns.push_back(i);
-    Curve_solution_set_d solutions = solve_curves(system, m_options);
+    Curve_solution_set_d solutions = internal::curves_within(system, m_options);
     m_curves.add(std::move(system), std::move(solutions), joints);
   }
 };

@@ -25,7 +25,8 @@ implicit surface that ends at its box within the bounds of a parametric one adds
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
 The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Other contacts are undecided, and
-so are pieces of surface that coincide, curves along an edge, seam or break, and what is near a pole that lies on the other surface.
+so are pieces of surface that coincide, curves along a seam or break, and what is near a pole that lies on the other surface. A curve along an edge is found where one equation says so, as it does of a parametric surface and an
+implicit one; not if a surface has a seam or a pole.
 
 \tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel, which is that of the result; `Implicit_surface_3` goes with any, two of them have results in
         `CGAL::Simple_cartesian<double>`.
@@ -42,7 +43,9 @@ Surface_intersection<internal::Common_surface_kernel<A, B>> intersection_curves(
 {
   options.check();
   internal::Surface_equations surfaces(internal::surface_shape(a), internal::surface_shape(b));
-  Curve_solution_set_d solutions = surfaces.has_system() ? solve_curves(surfaces.system(), options) : Curve_solution_set_d({}, {}, {}, {}, {}, Summary());
+  Curve_solution_set_d solutions({}, {}, {}, {}, {}, Summary());
+  if (surfaces.has_system())
+    solutions = surfaces.has_edges_of_different_points() ? solve_curves(surfaces.system(), options) : internal::curves_within(surfaces.system(), options);
   return {std::move(surfaces), std::move(solutions)};
 }
 

@@ -138,7 +138,7 @@ Surface_curves_3<internal::Kernel_of_loci<A, B>> intersection_curves(const A& a,
     result.add_undecided(internal::domain_of(system));
     return result;
   }
-  Curve_solution_set_d solutions = solve_curves(system, options);
+  Curve_solution_set_d solutions = internal::curves_within(system, options);
   result.add(std::move(system), std::move(solutions), pair.joints());
   return result;
 }

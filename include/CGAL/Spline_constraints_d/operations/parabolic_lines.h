@@ -13,21 +13,12 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A positive multiple of <S_uu,n><S_vv,n> - <S_uv,n>^2 in each piece of a surface S = X/w. With the tangent plane p, <p,(X,w)_uu> = w <S_uu,n>, and so on, as p is orthogonal to (X,w) and its first derivatives.
+// A positive multiple of <S_uu,n><S_vv,n> - <S_uv,n>^2 in each piece of a surface.
 inline Cell_functions<1> second_form_determinants(const Spline_patch<3>& surface)
 {
   return Cell_functions<1>(surface, [](const Spline_patch<3>& cell) {
-    const std::array<Exact_function, 4> plane = tangent_plane(cell);
-    const auto& [x, y, z] = cell.numerators();
-    const std::array<Exact_function, 4> point{x, y, z, cell.weight()};
-    const auto curvature = [&](int axis, int other) {
-      Exact_function sum = plane[0] * point[0].derivative(axis).derivative(other);
-      for (std::size_t i = 1; i < (cell.is_rational() ? 4 : 3); ++i)
-        sum = sum + plane[i] * point[i].derivative(axis).derivative(other);
-      return sum;
-    };
-    const Exact_function mixed = curvature(0, 1);
-    return std::array<Exact_function, 1>{curvature(0, 0) * curvature(1, 1) - mixed * mixed};
+    const auto [uu, uv, vv] = second_form(cell);
+    return std::array<Exact_function, 1>{uu * vv - uv * uv};
   });
 }
 

@@ -9,7 +9,8 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Equal_point_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_zeros.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curves_or_continuum.h>
+#include <CGAL/Spline_constraints_d/operations/internal/undecided_curves.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <optional>
 #include <utility>
@@ -51,7 +52,7 @@ Surface_intersection<internal::Operand_kernel<Surface>> self_intersection_curves
   const internal::Cell_pairs pairs(patch);
   std::vector<internal::Solved_part> parts;
   const auto add = [&](Constraint_system_d system) {
-    Curve_solution_set_d solutions = internal::curves_or_continuum(system, options);
+    Curve_solution_set_d solutions = internal::curves_within(system, options);
     parts.push_back({internal::Surface_equations(shape, std::move(system)), std::move(solutions)});
   };
   for (const internal::Spline_patch<3>& cell : pairs.single_cells())

@@ -140,7 +140,7 @@ Surface_curves_3<Kernel> sweep_silhouettes(const Spline_patch<3>& surface, const
       for (const int axis : {0, 1})
         if (patch.is_closed(axis) && part.functions.ratio(axis, part.functions.size(axis) - 1, 0))
           joints.closed_unknowns.push_back(static_cast<std::size_t>(axis));
-      Curve_solution_set_d solutions = solve_curves(system, options);
+      Curve_solution_set_d solutions = internal::curves_within(system, options);
       result.add(std::move(system), std::move(solutions), joints);
     }
   return result;

@@ -10,12 +10,15 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_chains.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/simple_factors.h>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +49,7 @@ public:
     : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options)
   {}
 
-  Curve_solution_set_d operator()()
+  Found_curves operator()()
   {
     const Exact_ranges domain = domain_of(m_system);
     for (const auto& [lower, upper] : domain)
@@ -57,10 +60,9 @@ public:
       split_cells(domain, cells, vertices);
     }
     run_tasks();
-    const std::vector<std::size_t> points = isolated_points();
+    Vertex_indices points = isolated_points();
     m_summary.nodes += m_vertices.work().nodes;
-    m_summary.seconds = m_control.seconds();
-    return Curve_chains(domain, m_vertices, std::move(m_pieces), std::move(m_undecided)).solution_set(points, m_summary);
+    return {std::move(m_vertices), std::move(m_pieces), std::move(m_undecided), std::move(points), m_summary};
   }
 
 private:
@@ -192,11 +194,64 @@ private:
   }
 };
 
-// All curves of solutions of a system.
-template <class Traits, class Concurrency_tag>
-Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
+inline void check_curve_system(const Constraint_system_d& system)
 {
-  return All_curves<Traits, Concurrency_tag>(system, options, control)();
+  const int n = system.dimension();
+  if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
+    throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
+  for (int v = 0; v < n; ++v)
+    if (!(system.domain(v).first < system.domain(v).second))
+      throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
+}
+
+// Boxes that are left at the tolerance may lie along a curve that an equality counts several times.
+template <class Traits, class Concurrency_tag>
+Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
+{
+  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control)();
+  const auto is_left = [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; };
+  if (std::any_of(result.undecided.begin(), result.undecided.end(), is_left))
+    if (const std::optional<Constraint_system_d> simple = with_simple_factors(system))
+      return All_curves<Traits, Concurrency_tag>(*simple, options, control)();
+  return result;
+}
+
+// What is found of a system: curves that lie in a face of the domain, where an equality has a factor that is zero there, apart from the others.
+template <class Traits, class Concurrency_tag>
+Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, bool finds_faces)
+{
+  if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere)) {
+    Found_curves nothing{Curve_vertices(options)};
+    nothing.undecided.push_back({domain_of(system), {}, Undecided_reason::CONTINUUM});
+    return nothing;
+  }
+  const std::optional<Vanishing_face> face = finds_faces ? vanishing_face(system) : std::nullopt;
+  if (!face)
+    return curves_of_simple_factors<Traits, Concurrency_tag>(system, options, control);
+  Found_curves result = found_curves<Traits, Concurrency_tag>(without_face(system, *face), options, control, true);
+  if (const std::optional<Constraint_system_d> on_face = system_on_face(system, *face))
+    Curves_on_face(*face, result).add(found_curves<Traits, Concurrency_tag>(*on_face, options, control, true));
+  return result;
+}
+
+// All curves of solutions of a system; without `finds_faces` those in faces of the domain are undecided.
+template <class Traits, class Concurrency_tag>
+Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, bool finds_faces)
+{
+  check_curve_system(system);
+  Found_curves found = found_curves<Traits, Concurrency_tag>(system, options, control, finds_faces);
+  found.summary.seconds = control.seconds();
+  const Exact_ranges domain = domain_of(system);
+  return Curve_chains(domain, found.vertices, std::move(found.pieces), std::move(found.undecided)).solution_set(std::move(found.points), found.summary);
+}
+
+// For domains whose faces are seams or cuts, where each point is on several faces: curves in them are undecided.
+inline Curve_solution_set_d curves_within(const Constraint_system_d& system, const Solver_options& options)
+{
+  options.check();
+  Default_solver_visitor visitor;
+  Run_control control(visitor, options);
+  return all_curves<Certified_solver_traits, CGAL::Sequential_tag>(system, options, control, false);
 }
 
 } // namespace internal
@@ -216,6 +271,8 @@ where two curves cross transversally, and for isolated solutions with a definite
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
 
+A curve that an equality counts several times, by a repeated factor, is found once if the equality is one polynomial. Curves that lie in a face of the domain are found, and where others meet them, if an equality is zero on the whole face; otherwise they are undecided, and so are curves in the plane of a break.
+
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
 
@@ -227,7 +284,7 @@ class Curve_solver_d
   Solver_options m_options;
 
 public:
-  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision.
+  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision; the number of nodes is that for the curves in a face, and for all others, each.
   //! \throws Invalid_input when an option makes no sense.
   explicit Curve_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options) { m_options.check(); }
 
@@ -238,14 +295,8 @@ public:
   template <SolverVisitor Visitor>
   Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
   {
-    const int n = system.dimension();
-    if (n < 2 || static_cast<int>(system.equalities().size()) != n - 1)
-      throw Invalid_input("solve_curves: " + std::to_string(system.equalities().size()) + " equalities for " + std::to_string(n) + " unknowns");
-    for (int v = 0; v < n; ++v)
-      if (!(system.domain(v).first < system.domain(v).second))
-        throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
     internal::Run_control control(visitor, m_options);
-    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control);
+    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control, true);
   }
 
   Curve_solution_set_d operator()(const Constraint_system_d& system) const

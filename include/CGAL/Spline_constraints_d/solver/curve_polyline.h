@@ -9,10 +9,13 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
+#include <CGAL/Spline_constraints_d/solver/internal/simple_factors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +42,8 @@ class Curve_sampler
   Exact_source m_source;
   std::vector<Exact_source::Value> m_values;
   Cell m_cell;   // that the source is at home in
+  bool m_is_simple = false;
+  std::unique_ptr<Curve_sampler> m_simpler;   // of the system with simple factors, when it was needed
 
 public:
   explicit Curve_sampler(const Constraint_system_d& system) : m_system(equalities_of(system)), m_layout(m_system), m_source(m_system, m_layout) {}
@@ -72,14 +77,31 @@ private:
   Point on_curve(const Curve_piece& piece, const Point& near)
   {
     Point result = near;
-    if (move_to_curve(piece.parameter, result) && is_in(piece.box, result))
+    const bool has_moved = move_to_curve(piece.parameter, result);
+    for (std::size_t j = 0; j < result.size(); ++j)
+      if (piece.box[j].first == piece.box[j].second)
+        result[j] = near[j];   // in a face of the domain
+    if (has_moved && is_in(piece.box, result))
       return result;
+    if (Curve_sampler* const sampler = has_moved ? nullptr : simpler())
+      return sampler->on_curve(piece, near);
     const auto slice = Subdivision_solver_d<Certified_solver_traits>()(on_plane(m_system, piece.box, piece.parameter, Exact_rational(near[piece.parameter])));
     if (slice.empty())
       return near;   // beside the end of the piece, since the ends are rounded
     result = slice.begin()->point();
     result.insert(result.begin() + piece.parameter, near[piece.parameter]);
     return result;
+  }
+
+  // Newton's method does not converge along curves that are there several times.
+  Curve_sampler* simpler()
+  {
+    if (!std::exchange(m_is_simple, true))
+      if (const std::optional<Constraint_system_d> system = with_simple_factors(m_system)) {
+        m_simpler = std::make_unique<Curve_sampler>(*system);
+        m_simpler->m_is_simple = true;
+      }
+    return m_simpler.get();
   }
 
   static bool is_in(const Exact_ranges& box, const Point& point)
@@ -173,6 +195,20 @@ double distance_from_middle(const Point& from, const Point& point, const Point& 
   return result;
 }
 
+// The angle between the chords from one point to the next and on to the third; 0 if two are the same.
+template <class Point>
+double angle_between_chords(const Point& from, const Point& point, const Point& to)
+{
+  double product = 0, first = 0, second = 0;
+  for (std::size_t j = 0; j < point.size(); ++j) {
+    const double a = point[j] - from[j], b = to[j] - point[j];
+    product += a * b;
+    first = std::hypot(first, a);
+    second = std::hypot(second, b);
+  }
+  return first == 0 || second == 0 ? 0 : std::acos((std::min)(1.0, (std::max)(-1.0, product / first / second)));
+}
+
 // Samples along a curve with their images by `image_of(unknowns)`, and a chord between each two by `is_chord(from, sample between, to)`.
 template <class Image_of, class Is_chord>
 auto curve_samples(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, const Image_of& image_of, const Is_chord& is_chord)
@@ -202,14 +238,19 @@ end in a singular point, at most a sixtieth of the domain long, are one chord.
 \param set its solutions.
 \param curve one of their curves.
 \param error the distance, in the space of the unknowns; positive.
-\throws Invalid_input when the distance is not positive.
+\param angle in radians, positive: the chords to a point of the curve between the ends of a chord, and from it, differ in direction by no more. So the chords on both sides of a point differ by about twice as much at most. By default the directions do not matter.
+\throws Invalid_input when the distance or the angle is not positive.
 */
-inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double error)
+inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double error, double angle = 4)
 {
   if (!(error > 0))
     throw Invalid_input("to_polyline: the error must be positive");
+  if (!(angle > 0))
+    throw Invalid_input("to_polyline: the angle must be positive");
   const auto nothing = [](const std::vector<double>&) { return 0; };
-  const auto is_chord = [error](const auto& from, const auto& sample, const auto& to) { return internal::distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= error; };
+  const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) {
+    return internal::distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= error && internal::angle_between_chords(from.unknowns, sample.unknowns, to.unknowns) <= angle;
+  };
   std::vector<std::vector<double>> result;
   for (const auto& sample : internal::curve_samples(system, set, curve, nothing, is_chord))
     result.push_back(sample.unknowns);

@@ -87,6 +87,15 @@ public:
     return result;
   }
 
+  // Whether the edges of the surfaces are curves, and none of them a seam: then a curve in a face of the domain is one in space, there once.
+  bool has_edges_of_different_points() const
+  {
+    const auto is_pole = [](const Spline_patch<3>& patch, int axis) {
+      return patch.part(axis, {patch.domain(axis).first, patch.domain(axis).first}).is_one_point() || patch.part(axis, {patch.domain(axis).second, patch.domain(axis).second}).is_one_point();
+    };
+    return closed_unknowns().empty() && std::none_of(m_surfaces.begin(), m_surfaces.end(), [&](const Surface_shape& surface) { return surface.patch && (is_pole(*surface.patch, 0) || is_pole(*surface.patch, 1)); });
+  }
+
   // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.
   std::vector<std::size_t> exchange() const
   {

@@ -104,7 +104,7 @@ public:
       }
       Constraint_system_d system(domain);
       system.add(formula(part.functions.splines()[0], unknowns_in(domain)) == 0);
-      Curve_solution_set_d solutions = solve_curves(system, m_options);
+      Curve_solution_set_d solutions = internal::curves_within(system, m_options);
       m_curves.add(std::move(system), std::move(solutions), joints(part.functions), lines(part));
     }
   }

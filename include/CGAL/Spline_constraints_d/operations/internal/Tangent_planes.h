@@ -38,7 +38,22 @@ inline std::array<Exact_function, 4> tangent_plane(const Spline_patch<3>& cell)
   return {n[0], n[1], n[2], -dot(x, across).function()};
 }
 
-// Those of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
+// Positive multiples of <S_uu,n>, <S_uv,n>, <S_vv,n> for a polynomial piece S = X/w with the normal n. With the tangent plane p, <p,(X,w)_uu> = w <S_uu,n>, and so on, as p is orthogonal to (X,w) and its first derivatives.
+inline std::array<Exact_function, 3> second_form(const Spline_patch<3>& cell)
+{
+  const std::array<Exact_function, 4> plane = tangent_plane(cell);
+  const auto& [x, y, z] = cell.numerators();
+  const std::array<Exact_function, 4> point{x, y, z, cell.weight()};
+  const auto curvature = [&](int axis, int other) {
+    Exact_function sum = plane[0] * point[0].derivative(axis).derivative(other);
+    for (std::size_t i = 1; i < (cell.is_rational() ? 4 : 3); ++i)
+      sum = sum + plane[i] * point[i].derivative(axis).derivative(other);
+    return sum;
+  };
+  return {curvature(0, 0), curvature(0, 1), curvature(1, 1)};
+}
+
+// The tangent planes of a surface, divided by factors that vanish along edges of the cells, as at a pole of a sphere.
 inline std::vector<Continuous_part<4>> tangent_planes(const Spline_patch<3>& patch) { return continuous_parts(Cell_functions<4>(patch, tangent_plane), true); }
 
 // A positive multiple of the derivative of a polynomial piece of a surface by a parameter.

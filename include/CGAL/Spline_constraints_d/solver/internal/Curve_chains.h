@@ -119,7 +119,7 @@ private:
     }
   }
 
-  // Of each box one of those that it is connected to, the same for all of them. By a sweep along the first unknown.
+  // Of each box one of those that it is connected to, the same for all of them. By a sweep.
   std::vector<std::size_t> roots_of_regions() const
   {
     std::vector<std::size_t> root(m_boxes.size()), order(m_boxes.size());
@@ -130,33 +130,52 @@ private:
         i = root[i] = root[root[i]];
       return i;
     };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return m_boxes[i].box[0].first < m_boxes[k].box[0].first; });
+    const std::size_t axis = axis_of_sweep();
+    const auto range = [&](std::size_t i) -> const std::pair<Exact_rational, Exact_rational>& { return m_boxes[i].box[axis]; };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return range(i).first < range(k).first; });
     for (std::size_t a = 0; a < order.size(); ++a)
-      for (std::size_t b = a + 1; b < order.size() && m_boxes[order[b]].box[0].first <= m_boxes[order[a]].box[0].second; ++b)
-        if (touch(m_boxes[order[a]].box, m_boxes[order[b]].box))
+      for (std::size_t b = a + 1; b < order.size() && range(order[b]).first <= range(order[a]).second; ++b)
+        if (find(order[a]) != find(order[b]) && touch(m_boxes[order[a]].box, m_boxes[order[b]].box))
           root[find(order[a])] = find(order[b]);
     for (std::size_t i = 0; i < root.size(); ++i)
       root[i] = find(i);
     return root;
   }
 
+  // The unknown whose ranges begin at the most places: boxes along a face all have the same one of another unknown.
+  std::size_t axis_of_sweep() const
+  {
+    std::size_t result = 0, most = 0;
+    for (std::size_t j = 0; j < m_domain.size(); ++j) {
+      std::vector<double> places;
+      for (const Undecided_box& box : m_boxes)
+        places.push_back(CGAL::to_double(box.box[j].first));
+      std::sort(places.begin(), places.end());
+      const auto count = static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+      if (count > most) {
+        most = count;
+        result = j;
+      }
+    }
+    return result;
+  }
+
   std::vector<Undecided_region> regions() const
   {
     const std::vector<std::size_t> root = roots_of_regions();
+    std::map<std::size_t, Undecided_region> all;
+    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+      Undecided_region& region = all.try_emplace(root[i], Undecided_region{{}, {}, m_boxes[root[i]].reason}).first->second;
+      region.boxes.push_back(m_boxes[i].box);
+      region.vertices.insert(region.vertices.end(), m_boxes[i].vertices.begin(), m_boxes[i].vertices.end());
+    }
     std::vector<Undecided_region> result;
-    for (std::size_t r = 0; r < m_boxes.size(); ++r) {
-      Undecided_region region{{}, {}, m_boxes[r].reason};
-      for (std::size_t i = 0; i < m_boxes.size(); ++i)
-        if (root[i] == r) {
-          region.boxes.push_back(m_boxes[i].box);
-          region.vertices.insert(region.vertices.end(), m_boxes[i].vertices.begin(), m_boxes[i].vertices.end());
-        }
+    for (auto& [r, region] : all) {
       // Vertices between two boxes of the region are not where a curve reaches it.
       std::sort(region.vertices.begin(), region.vertices.end());
       region.vertices.erase(std::unique(region.vertices.begin(), region.vertices.end()), region.vertices.end());
       std::erase_if(region.vertices, [&](std::size_t i) { return m_pieces_at[i].empty(); });
-      if (!region.boxes.empty())
-        result.push_back(std::move(region));
+      result.push_back(std::move(region));
     }
     return result;
   }

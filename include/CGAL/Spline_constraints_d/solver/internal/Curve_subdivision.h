@@ -352,7 +352,7 @@ private:
   bool joined(const Exact_ranges& box, Vertex_indices vertices, int parameter)
   {
     const std::size_t before = m_vertices.size();
-    Undecided_reason reason = Undecided_reason::NONE;
+    Undecided_reason reason = m_vertices.meets_continuum(box) ? Undecided_reason::CONTINUUM : Undecided_reason::NONE;
     for (auto g = m_open_inequalities.begin(); g != m_open_inequalities.end() && reason == Undecided_reason::NONE; ++g)
       reason = m_vertices.add_zeros(m_equalities, m_system.inequalities(), *g, box, vertices);
     if (reason == Undecided_reason::NONE && add_pieces(box, vertices, parameter))
@@ -361,7 +361,7 @@ private:
     if (reason != Undecided_reason::CONTINUUM)
       return false;
     std::erase_if(vertices, [&](std::size_t i) { return i >= before; });
-    m_undecided.push_back({box, std::move(vertices), reason});   // it is zero along a curve: smaller boxes would not help
+    m_undecided.push_back({box, std::move(vertices), reason});   // along a curve that an inequality is zero on, or that lies in a face: smaller boxes would not help
     return true;
   }
 

@@ -62,6 +62,15 @@ struct Plane_point
   }
 
   std::size_t planes() const { return static_cast<std::size_t>(std::count(is_fixed.begin(), is_fixed.end(), true)); }
+
+  // The unknown that the first of the planes fixes, on which the region is.
+  std::optional<std::size_t> first_plane() const
+  {
+    for (std::size_t j = 0; j < region.size(); ++j)
+      if (is_fixed[j] && region[j].first == region[j].second)
+        return j;
+    return std::nullopt;
+  }
 };
 
 inline bool touch(const Exact_ranges& a, const Exact_ranges& b)
@@ -92,13 +101,14 @@ class Curve_vertices
 {
   Subdivision_solver_d<Certified_solver_traits> m_solver;
   std::vector<Plane_point> m_points;
+  std::vector<Exact_ranges> m_continua;   // boxes on planes with infinitely many solutions, or so it seems
   Summary m_work;
 
 public:
   explicit Curve_vertices(const Solver_options& options) : m_solver(options) {}
 
   // With some of the points of others, so that a task may add what it finds, without regard to other tasks.
-  Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points) : m_solver(options)
+  Curve_vertices(const Solver_options& options, const Curve_vertices& others, const std::vector<std::size_t>& points) : m_solver(options), m_continua(others.m_continua)
   {
     for (const std::size_t i : points)
       m_points.push_back(others[i]);
@@ -131,6 +141,32 @@ public:
 
   // What is known of a point by now.
   void learn(std::size_t i, const Plane_point& same) { m_points[i].learn(same); }
+
+  // Fixes an unknown of all points.
+  void move_to_plane(int axis, const Exact_rational& value)
+  {
+    for (Plane_point& point : m_points)
+      fix(point, axis, value);
+  }
+
+  void make_singular(std::size_t i)
+  {
+    m_points[i].kind = Plane_point::SINGULAR;
+    m_points[i].is_singular = true;
+  }
+
+  // The other one is the same point, and not used any more.
+  void identify(std::size_t i, std::size_t other)
+  {
+    m_points[i].learn(m_points[other]);
+    m_points[other].is_singular = false;
+  }
+
+  // Whether a box touches solutions on a plane that are not single points.
+  bool meets_continuum(const Exact_ranges& box) const
+  {
+    return std::any_of(m_continua.begin(), m_continua.end(), [&](const Exact_ranges& part) { return touch(part, box); });
+  }
 
   // Forgets the last points.
   void resize(std::size_t size) { m_points.resize(size); }
@@ -174,9 +210,8 @@ public:
     Constraint_system_d others = equalities_on(system, region);
     for (std::size_t k = 0; k < system.inequalities().size(); ++k)
       others.add(system.inequalities()[k].function, k == point.inequality ? Relation::EQUAL : system.inequalities()[k].relation);
-    const auto axis = std::find(point.is_fixed.begin(), point.is_fixed.end(), true);
-    const int unknown = static_cast<int>(axis - point.is_fixed.begin());
-    const Solution_set_d<double> found = solve(axis == point.is_fixed.end() ? others : internal::on_plane(others, region, unknown, region[unknown].first));
+    const std::optional<std::size_t> plane = point.first_plane();
+    const Solution_set_d<double> found = solve(plane ? internal::on_plane(others, region, static_cast<int>(*plane), region[*plane].first) : others);
     if (found.empty() && found.is_complete())
       return false;
     return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0 ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
@@ -204,6 +239,10 @@ public:
         m_points.resize(before);
         return std::nullopt;
       }
+      if (solution.kind() == Solution_kind::CONTINUUM || solution.reason() == Undecided_reason::CONTINUUM) {
+        add_continuum(solution, axis, value);
+        continue;
+      }
       result.push_back(placed(plane, point_of(solution, axis, value), box, axis, known));
     }
     const auto is_near = [&](std::size_t i) {
@@ -219,6 +258,14 @@ public:
   }
 
 private:
+  void add_continuum(const Solution_d<double>& solution, int axis, const Exact_rational& value)
+  {
+    for (Exact_ranges box : solution.cover().empty() ? std::vector<Exact_ranges>{solution.exact_box()} : solution.cover()) {
+      box.insert(box.begin() + axis, {value, value});
+      m_continua.push_back(std::move(box));
+    }
+  }
+
   // Proves that a multiple root is one rational point, and makes this the box and a neighbourhood without other roots the region.
   static bool isolate(const Constraint_system_d& system, Plane_point& root)
   {
@@ -247,12 +294,11 @@ private:
   // Whether a function that is one equality of the system more is zero at a point on a plane.
   bool vanishes_at(const Constraint_system_d& system, const Plane_point& point)
   {
-    for (int j = 0; j < system.dimension(); ++j)
-      if (point.is_fixed[j] && point.region[j].first == point.region[j].second) {
-        const Solution_set_d<double> found = solve(internal::on_plane(system, point.region, j, point.region[j].first));
-        return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0;
-      }
-    return false;
+    const std::optional<std::size_t> plane = point.first_plane();
+    if (!plane)
+      return false;
+    const Solution_set_d<double> found = solve(internal::on_plane(system, point.region, static_cast<int>(*plane), point.region[*plane].first));
+    return found.count(Solution_kind::CERTIFIED) + found.count(Solution_kind::CLUSTER) > 0;
   }
 
   static Plane_point point_of(const Solution_d<double>& solution)

@@ -1,0 +1,336 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_ON_FACES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_ON_FACES_H
+
+#include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A face of the domain on which an equality is zero everywhere.
+struct Vanishing_face
+{
+  std::size_t equality;
+  int axis;
+  Exact_rational value;
+};
+
+// What is known of the curves of a system.
+struct Found_curves
+{
+  Curve_vertices vertices;
+  std::vector<Curve_piece> pieces = {};
+  std::vector<Undecided_box> undecided = {};
+  Vertex_indices points = {};   // that no piece ends in
+  Summary summary = {};
+
+  // Whether each vertex is one of a curve, or a solution by itself.
+  std::vector<bool> solutions() const
+  {
+    std::vector<bool> result(vertices.size(), false);
+    for (const Curve_piece& piece : pieces)
+      for (const std::size_t i : piece.ends)
+        result[i] = true;
+    for (const std::size_t i : points)
+      result[i] = true;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      result[i] = result[i] || vertices[i].is_singular_point();
+    return result;
+  }
+
+  // Calls change(index) for all references to vertices.
+  template <class Change>
+  void for_each_index(const Change& change)
+  {
+    for (Curve_piece& piece : pieces)
+      std::for_each(piece.ends.begin(), piece.ends.end(), change);
+    for (Undecided_box& box : undecided)
+      std::for_each(box.vertices.begin(), box.vertices.end(), change);
+    std::for_each(points.begin(), points.end(), change);
+  }
+};
+
+inline bool is_zero_everywhere(const Spline_function& function)
+{
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
+  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
+}
+
+/*
+A spline and the factor x - c, zero at the end c of the range of an unknown. Where it is zero there, all of its terms are, as a rule: those with other unknowns.
+*/
+class Face_factor
+{
+  const Spline_function& m_function;
+  const int m_unknown;
+  const Exact_rational m_value;
+  const bool m_is_lower;
+
+public:
+  Face_factor(const Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, bool is_lower)
+    : m_function(function), m_unknown(unknown), m_value(is_lower ? range.first : range.second), m_is_lower(is_lower)
+  {}
+
+  // Whether all terms are zero on the face, and have the same breaks of the unknown.
+  bool divides() const
+  {
+    for (const Spline_term& term : m_function.terms()) {
+      const std::optional<std::size_t> axis = axis_of(term);
+      if (!axis || term.breaks[*axis] != breaks() || !vanishes(term, *axis))
+        return false;
+    }
+    return !m_function.terms().empty();
+  }
+
+  // Divided by x - c in the cells at the face and, so that it stays continuous, by a constant in the others. \pre `divides()`
+  Spline_function quotient() const
+  {
+    Spline_function result;
+    for (Spline_term term : m_function.terms()) {
+      const std::size_t axis = *axis_of(term);
+      for (std::size_t c = 0; c < term.pieces.size(); ++c)
+        if (is_at_face(term, axis, c))
+          divide(term, axis, c);
+        else
+          for (Exact_rational& coefficient : term.pieces[c])
+            coefficient /= width();
+      result += Spline_function(std::move(term));
+    }
+    return result;
+  }
+
+private:
+  std::optional<std::size_t> axis_of(const Spline_term& term) const
+  {
+    const auto place = std::find(term.variables.begin(), term.variables.end(), m_unknown);
+    return place == term.variables.end() ? std::nullopt : std::optional(static_cast<std::size_t>(place - term.variables.begin()));
+  }
+
+  const std::vector<Exact_rational>& breaks() const { return m_function.terms().front().breaks[*axis_of(m_function.terms().front())]; }
+
+  // Of the cells at the face among those of the unknown.
+  std::size_t layer() const
+  {
+    if (breaks().empty())
+      return 0;
+    const auto next = m_is_lower ? std::upper_bound(breaks().begin() + 1, breaks().end() - 1, m_value) : std::lower_bound(breaks().begin() + 1, breaks().end() - 1, m_value);
+    return static_cast<std::size_t>(next - breaks().begin()) - 1;
+  }
+
+  // From the face to the next break.
+  Exact_rational width() const { return breaks()[layer() + (m_is_lower ? 1 : 0)] - m_value; }
+
+  bool is_at_face(const Spline_term& term, std::size_t axis, std::size_t cell) const
+  {
+    std::size_t inner = 1;
+    for (std::size_t j = axis + 1; j < term.variables.size(); ++j)
+      inner *= term.cells(j);
+    return cell / inner % term.cells(axis) == layer();
+  }
+
+  bool vanishes(const Spline_term& term, std::size_t axis) const
+  {
+    for (std::size_t c = 0; c < term.pieces.size(); ++c) {
+      if (!is_at_face(term, axis, c))
+        continue;
+      bool is_zero = true;
+      std::vector<Exact_rational> piece = term.pieces[c];
+      visit_rows(piece, term.degrees, axis, [&](const Exact_rational* a, std::size_t step) {
+        Exact_rational sum(0);
+        for (int k = term.degrees[axis]; is_zero && k >= 0; --k)
+          sum = Exact_rational(sum * m_value + a[static_cast<std::size_t>(k) * step]);
+        is_zero = is_zero && CGAL::is_zero(sum);
+      });
+      if (!is_zero)
+        return false;
+    }
+    return true;
+  }
+
+  void divide(Spline_term& term, std::size_t axis, std::size_t cell) const
+  {
+    visit_rows(term.pieces[cell], term.degrees, axis, [&](Exact_rational* a, std::size_t step) {
+      Exact_rational quotient(0);
+      for (int k = term.degrees[axis]; k >= 0; --k) {
+        const Exact_rational coefficient = std::exchange(a[static_cast<std::size_t>(k) * step], quotient);
+        quotient = Exact_rational(coefficient + m_value * quotient);
+      }
+    });
+  }
+};
+
+inline std::optional<Vanishing_face> vanishing_face(const Constraint_system_d& system)
+{
+  for (std::size_t i = 0; i < system.equalities().size(); ++i)
+    for (int axis = 0; axis < system.dimension(); ++axis)
+      for (const bool is_lower : {true, false})
+        if (const auto& range = system.domain(axis); Face_factor(system.equalities()[i], axis, range, is_lower).divides())
+          return Vanishing_face{i, axis, is_lower ? range.first : range.second};
+  return std::nullopt;
+}
+
+// The system with an equality that is divided by the factor of the face, as often as it can be.
+inline Constraint_system_d without_face(const Constraint_system_d& system, const Vanishing_face& face)
+{
+  Constraint_system_d result(domain_of(system));
+  const auto& range = system.domain(face.axis);
+  for (std::size_t i = 0; i < system.equalities().size(); ++i) {
+    Spline_function function = system.equalities()[i];
+    while (i == face.equality && Face_factor(function, face.axis, range, face.value == range.first).divides())
+      function = Face_factor(function, face.axis, range, face.value == range.first).quotient();
+    result.add(std::move(function), Relation::EQUAL);
+  }
+  for (const auto& [function, relation] : system.inequalities())
+    result.add(function, relation);
+  return result;
+}
+
+/*
+The system on a face, whose curves lie within the domain: with the unknown that is constant there as an unknown whose range is wider, and with its equation in the place of the equality that is zero. Nothing if an inequality
+excludes the face.
+*/
+inline std::optional<Constraint_system_d> system_on_face(const Constraint_system_d& system, const Vanishing_face& face)
+{
+  Exact_ranges slab = domain_of(system);
+  const Exact_rational width = slab[face.axis].second - slab[face.axis].first;
+  slab[face.axis] = {Exact_rational(face.value - width), Exact_rational(face.value + width)};
+  const auto on_face = [&](const Spline_function& function) {
+    const Spline_function restricted = with_fixed(function, face.axis, face.value);
+    Spline_function result;
+    for (Spline_term term : restricted.terms()) {
+      for (int& v : term.variables)
+        v += v >= face.axis;
+      result += Spline_function(std::move(term));
+    }
+    return result;
+  };
+  Constraint_system_d result(slab);
+  result.add(Power_polynomial::variable(face.axis) - Power_polynomial(face.value), Relation::EQUAL);
+  for (std::size_t i = 0; i < system.equalities().size(); ++i)
+    if (i != face.equality)
+      result.add(on_face(system.equalities()[i]), Relation::EQUAL);
+  for (const auto& [function, relation] : system.inequalities()) {
+    Spline_function restricted = on_face(function);
+    const bool is_zero = is_zero_everywhere(restricted);
+    if (is_zero && is_strict(relation))
+      return std::nullopt;
+    if (is_zero)
+      result.add(Power_polynomial(Exact_rational(1)), Relation::GREATER);   // inequalities keep their numbers
+    else
+      result.add(std::move(restricted), relation);
+  }
+  return result;
+}
+
+/*
+Joins the curves on a face with all other ones, which meet the face in points. There the equality has two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
+vertex there, or lies in a piece, between its ends, since this has no other solutions in its box.
+*/
+class Curves_on_face
+{
+  const Vanishing_face& m_face;
+  Found_curves& m_all;
+  std::size_t m_first, m_first_undecided;   // of the pieces and boxes on the face
+  Vertex_indices m_vertices;
+
+public:
+  // Adds `on_face` to `all`, the solutions without the face.
+  Curves_on_face(const Vanishing_face& face, Found_curves& all) : m_face(face), m_all(all), m_first(all.pieces.size()), m_first_undecided(all.undecided.size()) {}
+
+  void add(Found_curves&& on_face)
+  {
+    const std::vector<bool> is_solution = m_all.solutions();
+    on_face.vertices.move_to_plane(m_face.axis, m_face.value);
+    for (Curve_piece& piece : on_face.pieces)
+      piece.box[m_face.axis] = {m_face.value, m_face.value};
+    for (Undecided_box& box : on_face.undecided)
+      box.box[m_face.axis] = {m_face.value, m_face.value};
+    m_vertices = m_all.vertices.merge(std::move(on_face.vertices), {});
+    on_face.for_each_index([&](std::size_t& i) { i = m_vertices[i]; });
+    m_all.pieces.insert(m_all.pieces.end(), on_face.pieces.begin(), on_face.pieces.end());
+    m_all.undecided.insert(m_all.undecided.end(), on_face.undecided.begin(), on_face.undecided.end());
+    m_all.points.insert(m_all.points.end(), on_face.points.begin(), on_face.points.end());
+    m_all.summary += on_face.summary;
+    for (std::size_t i = 0; i < is_solution.size(); ++i)
+      if (is_solution[i] && is_on_face(i) && !is_undecided(i) && !joins_vertex(i) && !splits_piece(i))
+        m_all.undecided.push_back({m_all.vertices[i].box, {i}, Undecided_reason::TOLERANCE});
+  }
+
+private:
+  bool is_on_face(std::size_t i) const { return m_all.vertices[i].is_fixed[m_face.axis] && m_all.vertices[i].box[m_face.axis].first == m_face.value; }
+
+  // Nothing is known of the face there.
+  bool is_undecided(std::size_t i) const
+  {
+    return std::any_of(m_all.undecided.begin() + static_cast<std::ptrdiff_t>(m_first_undecided), m_all.undecided.end(), [&](const Undecided_box& box) { return touch(box.box, m_all.vertices[i].box); });
+  }
+
+  void make_singular(std::size_t i)
+  {
+    m_all.vertices.make_singular(i);
+    std::erase(m_all.points, i);
+  }
+
+  // The point is a vertex on the face.
+  bool joins_vertex(std::size_t i)
+  {
+    const auto same = std::find_if(m_vertices.begin(), m_vertices.end(), [&](std::size_t k) { return is_same(m_all.vertices[i], m_all.vertices[k]); });
+    if (same == m_vertices.end())
+      return false;
+    m_all.vertices.identify(i, *same);
+    m_all.for_each_index([&](std::size_t& k) { k = k == *same ? i : k; });
+    make_singular(i);
+    return true;
+  }
+
+  // Both are solutions on the face. A regular vertex is the only one in its region on its plane, or where its inequality is zero.
+  static bool is_same(const Plane_point& point, const Plane_point& vertex)
+  {
+    const auto is_number = [](const auto& range) { return range.first == range.second; };
+    if (point.box == vertex.box && std::all_of(point.box.begin(), point.box.end(), is_number))
+      return true;
+    if (vertex.kind != Plane_point::REGULAR || !is_within(point.box, vertex.region))
+      return false;
+    if (const std::optional<std::size_t> plane = vertex.first_plane())
+      return point.is_fixed[*plane] && point.box[*plane] == vertex.box[*plane];
+    return vertex.inequality && point.inequality == vertex.inequality;
+  }
+
+  // The point lies in a piece on the face, which becomes two.
+  bool splits_piece(std::size_t i)
+  {
+    const Exact_ranges& point = m_all.vertices[i].box;
+    for (std::size_t p = m_first; p < m_all.pieces.size(); ++p) {
+      Curve_piece& piece = m_all.pieces[p];
+      if (piece.parameter < 0 || !is_within(point, piece.box))
+        continue;
+      const auto range = [&](std::size_t k) { return m_all.vertices[k].box[piece.parameter]; };
+      auto [first, last] = std::pair(range(piece.ends[0]), range(piece.ends[1]));
+      if (last.first < first.first)
+        std::swap(first, last);
+      if (!(first.second < point[piece.parameter].first && point[piece.parameter].second < last.first))
+        continue;
+      Curve_piece rest = piece;
+      piece.ends[1] = rest.ends[0] = i;
+      m_all.pieces.push_back(std::move(rest));
+      make_singular(i);
+      return true;
+    }
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_CURVES_ON_FACES_H
