@@ -194,6 +194,50 @@ TEST(Surface_intersections, IsoparametricCurves)
   EXPECT_EQ(longer.parameter_range(0), Range(ratio(1, 4), ratio(1, 2)));
 }
 
+// C = S(q) for the graph S, and the images of both.
+TEST(Surface_intersections, CurvesAlongASurface)
+{
+  const auto along = [](const Function& q, const Function& r) { return Curve::from_homogeneous_coordinates({q, r, q * q * r}, one); };
+  Random_source random(5);
+  const auto map = random_map(random);
+  const auto overlap_with = [&](const Curve& curve, const Surface& surface) {
+    const auto intersections = SC::intersections(curve.transformed(map), surface.transformed(map));
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    EXPECT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections.count(Intersection_kind::OVERLAP), 1u);
+    return intersections[0];
+  };
+  const auto expect_ranges = [](const auto& overlap, const Range& on_curve, const Range& first, const Range& second) {
+    EXPECT_EQ(overlap.parameter_range(0), on_curve);
+    EXPECT_EQ(overlap.parameter_range(1, 0), first);
+    EXPECT_EQ(overlap.parameter_range(1, 1), second);
+  };
+  const Range unit(0, 1);
+  expect_ranges(overlap_with(along(t, FT(1) - t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, t * t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, t * t * t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, FT(2) * t - ratio(1, 2)), graph), Range(ratio(1, 4), ratio(3, 4)), Range(ratio(1, 4), ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, t * t * ratio(16, 9)), graph), Range(0, ratio(3, 4)), Range(0, ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, FT(1) - t), graph.with_knot(0, ratio(1, 2))), unit, unit, unit);
+
+  const auto vertex = overlap_with(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1))), graph);   // both ends and the vertex within the range, which is an enclosure
+  EXPECT_TRUE(holds(vertex.parameter_range(1, 1), FT(0)) && holds(vertex.parameter_range(1, 1), FT(1)));
+
+  const Function weight = FT(1) + t * (FT(1) - t), weight_on_square = one_on_square + u * v;
+  const Surface rational = Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, u * u * v}, weight_on_square);
+  expect_ranges(overlap_with(Curve::from_homogeneous_coordinates({t, FT(1) - t, t * t * (FT(1) - t)}, weight), rational), unit, unit, unit);
+
+  // It enters and leaves the surface.
+  const auto twice = SC::intersections(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1)) * ratio(25, 9)), graph);
+  EXPECT_EQ(twice.size(), 1u);
+  EXPECT_EQ(twice[0].parameter_range(0), Range(ratio(1, 5), ratio(4, 5)));
+
+  // It leaves the surface at 1/sqrt(2).
+  const auto open = SC::intersections(along(t, FT(2) * t * t), graph, {.node_limit = 500});
+  EXPECT_FALSE(open.empty());
+  EXPECT_FALSE(open.is_complete());
+}
+
 TEST(Surface_intersections, RaysMeetATorusInOrder)
 {
   const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(3), FT(1));
