@@ -57,6 +57,7 @@ class Patch_parts
   std::vector<std::vector<Exact_rational>> m_breaks;
   std::array<std::vector<std::size_t>, 2> m_spans;   // the last control point of each cell along an axis
   std::vector<Double_intervals<d>> m_control_points;   // none: control points do not bound the cells
+  mutable std::map<int, Spline_patch<d>> m_strips;
   mutable std::map<Cell, Part> m_cells;
 
 public:
@@ -157,14 +158,23 @@ private:
       return cells(ranges);
     const Cell cell{ranges[0].first, ranges[1].first};
     auto known = m_cells.find(cell);
-    if (known == m_cells.end()) {
-      std::vector<Parameter_range> box;
-      for (int axis = 0; axis < number_of_axes(); ++axis)
-        box.emplace_back(m_breaks[axis][cell[axis]], m_breaks[axis][cell[axis] + 1]);
-      known = m_cells.emplace(cell, part(ranges, Bernstein_net<d>(m_patch.part(box)))).first;
-    }
+    if (known == m_cells.end())
+      known = m_cells.emplace(cell, part(ranges, Bernstein_net<d>(patch_on(cell)))).first;
     return known->second;
   }
+
+  // Of a surface by way of the strip of cells along the second axis, so that the other strips are looked at once only.
+  Spline_patch<d> patch_on(const Cell& cell) const
+  {
+    if (number_of_axes() == 0)
+      return m_patch;
+    auto strip = m_strips.find(cell[0]);
+    if (strip == m_strips.end())
+      strip = m_strips.emplace(cell[0], m_patch.part(0, range_of(0, cell[0]))).first;
+    return number_of_axes() == 1 ? strip->second : strip->second.part(1, range_of(1, cell[1]));
+  }
+
+  Parameter_range range_of(int axis, int cell) const { return {m_breaks[axis][cell], m_breaks[axis][cell + 1]}; }
 
   Part part(const std::array<Axis_range, 2>& ranges, const Bernstein_net<d>& net) const
   {
