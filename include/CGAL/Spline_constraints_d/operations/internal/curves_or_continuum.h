@@ -31,7 +31,7 @@ inline Curve_solution_set_d undecided_curves(Curve_vertex::Exact_box box, Undeci
 // The curves of solutions of a system; everything is undecided where an equation is always satisfied.
 inline Curve_solution_set_d curves_or_continuum(const Constraint_system_d& system, const Solver_options& options)
 {
-  if (std::none_of(system.equalities().begin(), system.equalities().end(), is_zero))
+  if (std::none_of(system.equalities().begin(), system.equalities().end(), [](const auto& equality) { return is_zero(equality); }))
     return solve_curves(system, options);
   Curve_vertex::Exact_box domain;
   for (int j = 0; j < system.dimension(); ++j)
