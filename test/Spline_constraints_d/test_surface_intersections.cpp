@@ -5,6 +5,7 @@
 
 #include "geometry_test_tools.h"
 
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersections.h>
 
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -236,6 +238,46 @@ TEST(Surface_intersections, CurvesAlongASurface)
   const auto open = SC::intersections(along(t, FT(2) * t * t), graph, {.node_limit = 500});
   EXPECT_FALSE(open.empty());
   EXPECT_FALSE(open.is_complete());
+}
+
+// A circle that is no line of the parameters, on a sphere and on parts of it: inside where its points satisfy inequalities.
+TEST(Surface_intersections, CirclesOnASphere)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), FT(3));
+  const Curve circle = SC::circle_curve(Point(1, 2, 1), Vector(1, 2, 1), Point(2, 1, 2));
+  const auto whole = SC::intersections(circle, sphere);
+  EXPECT_TRUE(whole.is_complete());
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].kind(), Intersection_kind::OVERLAP);
+  EXPECT_EQ(whole[0].parameter_range(0), Range(0, 4));
+  EXPECT_EQ(SC::intersections(sphere, circle).count(Intersection_kind::OVERLAP), 1u);
+
+  // Parts below and above a parallel, on both sides of the equator.
+  const auto [begin, end] = sphere.domain(1);
+  int inside = 0;
+  for (const int eighths : {3, 5}) {
+    const FT parallel(begin + (end - begin) * ratio(eighths, 8)), height = sphere(FT(0), parallel).z();
+    for (const Surface& part : {sphere.restricted(1, begin, parallel), sphere.restricted(1, parallel, end)}) {
+      const auto [first, last] = part.domain(1);
+      const CGAL::Sign side = CGAL::sign(sphere(FT(0), FT((first + last) / 2)).z() - height);
+      const auto pieces = SC::intersections(circle, part);
+      EXPECT_TRUE(pieces.is_complete()) << pieces.summary();
+      EXPECT_EQ(pieces.count(Intersection_kind::OVERLAP), pieces.size());
+      for (int k = 0; k <= 64; ++k) {
+        const FT at = ratio(k, 16);
+        const CGAL::Sign own = CGAL::sign(circle(at).z() - height);
+        const bool is_inside = own == side || own == CGAL::ZERO;
+        inside += is_inside;
+        EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece.parameter_range(0), at); }), is_inside) << at;
+      }
+    }
+  }
+  EXPECT_GE(inside, 2 * 65);   // each parameter is in one part of two pairs
+
+  // Another radius, and a circle beside the part.
+  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 1, 1), Point(1, 0, 2)), sphere), 0);
+  const Surface lower = sphere.restricted(1, begin, FT((begin + end) / 2)), upper = sphere.restricted(1, FT((begin + end) / 2), end);
+  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 0, 1), Point(1, 2, 2)), sphere(FT(0), begin).z() < 0 ? lower : upper), 0);
 }
 
 TEST(Surface_intersections, RaysMeetATorusInOrder)

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_on_spheres.h>
 
 #include <algorithm>
 #include <array>
@@ -76,8 +77,9 @@ public:
       if (k == 0)
         continue;
       for (const std::vector<Point>& points : choices)
-        if (std::vector<Overlap> result = along(path_through(at, points)); !result.empty())
-          return result;
+        if (const Path path = path_through(at, points); are_same_at(path, parameter_within(range, most_samples)))
+          if (std::vector<Overlap> result = along(path); !result.empty())
+            return result;
     }
     return {};
   }
@@ -87,7 +89,7 @@ private:
   static Exact_rational parameter_within(const Parameter_range& range, std::size_t k)
   {
     const auto part = [&](int i) { return Exact_rational(range.first + (range.second - range.first) * i / 12); };
-    const int from = std::array<int, most_samples>{3, 8, 1, 10}[k];
+    const int from = std::array<int, most_samples + 1>{3, 8, 1, 10, 5}[k];
     return simplest_rational_between(part(from), part(from + 1));
   }
 
@@ -131,7 +133,7 @@ private:
     std::vector<Overlap> result;
     for (std::size_t i = 1; cuts && i < cuts->size(); ++i) {
       const Parameter_range cell((*cuts)[i - 1], (*cuts)[i]);
-      if (!is_on_surface(path, middle_of(cell)) || !is_same_curve(path, cell))
+      if (!is_same_curve(path, cell))
         continue;
       if (result.empty() || result.back().curve.second != cell.first)
         result.push_back({{cell.first, cell.first}, {}, {}});
@@ -193,13 +195,13 @@ private:
     for (const int axis : {0, 1})
       add_degrees(m_surface, degree_on_surface, axis);
     degree += path[0].degree(0) * degree_on_surface;
-    for (int k = 0; k <= degree; ++k) {
-      const Exact_rational t(range.first + (range.second - range.first) * (k + 1) / (degree + 2));
-      if (m_curve(std::array{t}) != m_surface(point_on(path, t)))
+    for (int k = 0; k <= degree; ++k)
+      if (!are_same_at(path, Exact_rational(range.first + (range.second - range.first) * (k + 1) / (degree + 2))))
         return false;
-    }
     return true;
   }
+
+  bool are_same_at(const Path& path, const Exact_rational& t) const { return is_on_surface(path, t) && m_curve(std::array{t}) == m_surface(point_on(path, t)); }
 };
 
 // With what there is beside the overlaps: the rest of the curve. They are looked for in the longest range where something is undecided.
@@ -260,6 +262,8 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Summing_solve
       if (is_complete)
         return points;
       if (auto others = common_points_of_curve_along_surface(pair, points, solve))
+        return std::move(*others);
+      if (auto others = Curve_on_sphere(pair, solve)())
         return std::move(*others);
       if (!limited.has_reached_node_limit() || solve.has_reached_node_limit())
         return points;
