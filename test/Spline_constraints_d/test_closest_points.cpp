@@ -3,6 +3,7 @@
 
 // Closest points and feet of perpendiculars against exact answers.
 
+#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
@@ -202,6 +203,95 @@ TEST(Closest_points, CurvesAgainstSamples)
     EXPECT_GT(upper, least - 2) << round;
     EXPECT_LT(upper - lower, 1e-6);
     EXPECT_TRUE(lower <= swapped.distance_range().second && swapped.distance_range().first <= upper);
+  }
+}
+
+// Knots 0, 1, ..., pieces, those inside with these multiplicities in turns; and as many control points along an axis.
+std::vector<K::FT> knots_of(int degree, int pieces, const std::vector<int>& multiplicities)
+{
+  std::vector<K::FT> result(degree + 1, K::FT(0));
+  for (int i = 1; i < pieces; ++i)
+    result.insert(result.end(), multiplicities[i % multiplicities.size()], K::FT(i));
+  result.insert(result.end(), degree + 1, K::FT(pieces));
+  return result;
+}
+
+// Most pieces are left out, but the least distance is that of all pieces.
+template <class A, class B>
+void expect_distance_of_pieces(const A& a, const B& b, const Range& of_pieces)
+{
+  const auto closest = SC::closest_points(a, b), swapped = SC::closest_points(b, a);
+  EXPECT_TRUE(closest.is_complete() && swapped.is_complete());
+  EXPECT_EQ(closest.size(), swapped.size());
+  EXPECT_GE(closest.size(), 1u);
+  for (const Range& range : {closest.squared_distance_range(), swapped.squared_distance_range()}) {
+    EXPECT_TRUE(range.first <= of_pieces.second && of_pieces.first <= range.second);
+    EXPECT_LT(range.second - range.first, Exact_rational(1, 1000000000));
+  }
+}
+
+template <class A, class B>
+Range distance_of_pieces(const std::vector<A>& as, const std::vector<B>& bs)
+{
+  Range result(1000000, 1000000);
+  for (const A& a : as)
+    for (const B& b : bs) {
+      const Range range = SC::closest_points(a, b).squared_distance_range();
+      result = {(std::min)(result.first, range.first), (std::min)(result.second, range.second)};
+    }
+  return result;
+}
+
+TEST(Closest_points, SplinesOfManyPieces)
+{
+  Random_integers random(11, 9);
+  const std::vector<std::vector<int>> multiplicities{{1}, {1, 3}, {2, 1}, {3}};
+  const auto curve = [&](const std::vector<K::FT>& knots, int height, bool is_rational) {
+    std::vector<K::Point_2> points;
+    std::vector<K::FT> weights;
+    for (std::size_t i = 0; i + 4 < knots.size(); ++i) {
+      points.push_back(random.point_2() + K::Vector_2(6 * static_cast<int>(i), height));
+      if (is_rational)
+        weights.push_back(K::FT(20 + random()) / 10);
+    }
+    return SC::Bspline_curve_2<K>(3, knots, points, weights);
+  };
+  for (int round = 0; round < 4; ++round) {
+    const std::vector<K::FT> knots = knots_of(3, 5, multiplicities[round]);
+    const auto a = curve(knots, 0, round >= 2), b = curve(knots, 22, round % 2 == 1);
+    expect_distance_of_pieces(a, b, distance_of_pieces(a.bezier_pieces(), b.bezier_pieces()));
+  }
+  std::vector<K::Point_3> net;
+  for (int i = 0; i < 7; ++i)
+    for (int j = 0; j < 6; ++j)
+      net.emplace_back(4 * i, 4 * j, random());
+  const SC::Bspline_surface_3<K> surface({3, 2}, knots_of(3, 4, {1}), knots_of(2, 4, {1}), net);
+  for (const K::Point_3& point : {K::Point_3(9, 11, 8), K::Point_3(-3, 4, 1), K::Point_3(12, 12, -20)})
+    expect_distance_of_pieces(point, surface, distance_of_pieces(std::vector<K::Point_3>{point}, surface.bezier_pieces()));
+}
+
+// Two nearest points in pieces that are far from each other; and a closed curve, whose seam is nearest.
+TEST(Closest_points, NearestPointsInDistantPieces)
+{
+  const std::vector<K::Point_2> points{{-7, 0}, {-6, 3}, {-4, 6}, {-2, 3}, {0, 0}, {2, 3}, {4, 6}, {6, 3}, {7, 0}};
+  const SC::Bspline_curve_2<K> wave(2, knots_of(2, 7, {1}), points);
+  const auto both = SC::closest_points(K::Point_2(0, 20), wave);
+  EXPECT_TRUE(both.is_complete());
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_TRUE(both[0].kind() == Solution_kind::CERTIFIED && both[1].kind() == Solution_kind::CERTIFIED);
+  const auto [first, second] = std::minmax({both[0].parameter(1), both[1].parameter(1)});
+  EXPECT_LT(first, 3);
+  EXPECT_NEAR(first + second, 7, 1e-12);
+
+  std::vector<K::FT> period;
+  for (int i = 0; i <= 8; ++i)
+    period.emplace_back(i);
+  const std::vector<K::Point_2> around{{3, -1}, {3, 1}, {1, 3}, {-1, 3}, {-3, 1}, {-3, -1}, {-1, -3}, {1, -3}};
+  const auto closed = SC::Bspline_curve_2<K>::from_periodic(2, period, around);
+  for (int i = 0; i < 8; ++i) {   // breaks are the middles of sides
+    const K::Point_2 middle = CGAL::midpoint(around[i], around[(i + 1) % 8]);
+    const K::Vector_2 normal = (around[(i + 1) % 8] - around[i]).perpendicular(CGAL::CLOCKWISE);
+    expect_distance(middle + normal, closed, CGAL::exact(normal.squared_length()));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "geometry_test_tools.h"
 
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/intersections.h>
 
@@ -12,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -192,6 +194,90 @@ TEST(Surface_intersections, IsoparametricCurves)
   EXPECT_EQ(backwards.parameter_range(1, 1), Range(0, 1));
   const auto longer = overlap_with(line, surface.restricted(1, ratio(1, 4), ratio(1, 2)));
   EXPECT_EQ(longer.parameter_range(0), Range(ratio(1, 4), ratio(1, 2)));
+}
+
+// C = S(q) for the graph S, and the images of both.
+TEST(Surface_intersections, CurvesAlongASurface)
+{
+  const auto along = [](const Function& q, const Function& r) { return Curve::from_homogeneous_coordinates({q, r, q * q * r}, one); };
+  Random_source random(5);
+  const auto map = random_map(random);
+  const auto overlap_with = [&](const Curve& curve, const Surface& surface) {
+    const auto intersections = SC::intersections(curve.transformed(map), surface.transformed(map));
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    EXPECT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections.count(Intersection_kind::OVERLAP), 1u);
+    return intersections[0];
+  };
+  const auto expect_ranges = [](const auto& overlap, const Range& on_curve, const Range& first, const Range& second) {
+    EXPECT_EQ(overlap.parameter_range(0), on_curve);
+    EXPECT_EQ(overlap.parameter_range(1, 0), first);
+    EXPECT_EQ(overlap.parameter_range(1, 1), second);
+  };
+  const Range unit(0, 1);
+  expect_ranges(overlap_with(along(t, FT(1) - t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, t * t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, t * t * t), graph), unit, unit, unit);
+  expect_ranges(overlap_with(along(t, FT(2) * t - ratio(1, 2)), graph), Range(ratio(1, 4), ratio(3, 4)), Range(ratio(1, 4), ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, t * t * ratio(16, 9)), graph), Range(0, ratio(3, 4)), Range(0, ratio(3, 4)), unit);
+  expect_ranges(overlap_with(along(t, FT(1) - t), graph.with_knot(0, ratio(1, 2))), unit, unit, unit);
+
+  const auto vertex = overlap_with(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1))), graph);   // both ends and the vertex within the range, which is an enclosure
+  EXPECT_TRUE(holds(vertex.parameter_range(1, 1), FT(0)) && holds(vertex.parameter_range(1, 1), FT(1)));
+
+  const Function weight = FT(1) + t * (FT(1) - t), weight_on_square = one_on_square + u * v;
+  const Surface rational = Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, u * u * v}, weight_on_square);
+  expect_ranges(overlap_with(Curve::from_homogeneous_coordinates({t, FT(1) - t, t * t * (FT(1) - t)}, weight), rational), unit, unit, unit);
+
+  // It enters and leaves the surface.
+  const auto twice = SC::intersections(along(t, (FT(2) * t - FT(1)) * (FT(2) * t - FT(1)) * ratio(25, 9)), graph);
+  EXPECT_EQ(twice.size(), 1u);
+  EXPECT_EQ(twice[0].parameter_range(0), Range(ratio(1, 5), ratio(4, 5)));
+
+  // It leaves the surface at 1/sqrt(2).
+  const auto open = SC::intersections(along(t, FT(2) * t * t), graph, {.node_limit = 500});
+  EXPECT_FALSE(open.empty());
+  EXPECT_FALSE(open.is_complete());
+}
+
+// A circle that is no line of the parameters, on a sphere and on parts of it: inside where its points satisfy inequalities.
+TEST(Surface_intersections, CirclesOnASphere)
+{
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, 0), FT(3));
+  const Curve circle = SC::circle_curve(Point(1, 2, 1), Vector(1, 2, 1), Point(2, 1, 2));
+  const auto whole = SC::intersections(circle, sphere);
+  EXPECT_TRUE(whole.is_complete());
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].kind(), Intersection_kind::OVERLAP);
+  EXPECT_EQ(whole[0].parameter_range(0), Range(0, 4));
+  EXPECT_EQ(SC::intersections(sphere, circle).count(Intersection_kind::OVERLAP), 1u);
+
+  // Parts below and above a parallel, on both sides of the equator.
+  const auto [begin, end] = sphere.domain(1);
+  int inside = 0;
+  for (const int eighths : {3, 5}) {
+    const FT parallel(begin + (end - begin) * ratio(eighths, 8)), height = sphere(FT(0), parallel).z();
+    for (const Surface& part : {sphere.restricted(1, begin, parallel), sphere.restricted(1, parallel, end)}) {
+      const auto [first, last] = part.domain(1);
+      const CGAL::Sign side = CGAL::sign(sphere(FT(0), FT((first + last) / 2)).z() - height);
+      const auto pieces = SC::intersections(circle, part);
+      EXPECT_TRUE(pieces.is_complete()) << pieces.summary();
+      EXPECT_EQ(pieces.count(Intersection_kind::OVERLAP), pieces.size());
+      for (int k = 0; k <= 64; ++k) {
+        const FT at = ratio(k, 16);
+        const CGAL::Sign own = CGAL::sign(circle(at).z() - height);
+        const bool is_inside = own == side || own == CGAL::ZERO;
+        inside += is_inside;
+        EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece.parameter_range(0), at); }), is_inside) << at;
+      }
+    }
+  }
+  EXPECT_GE(inside, 2 * 65);   // each parameter is in one part of two pairs
+
+  // Another radius, and a circle beside the part.
+  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 1, 1), Point(1, 0, 2)), sphere), 0);
+  const Surface lower = sphere.restricted(1, begin, FT((begin + end) / 2)), upper = sphere.restricted(1, FT((begin + end) / 2), end);
+  expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 0, 1), Point(1, 2, 2)), sphere(FT(0), begin).z() < 0 ? lower : upper), 0);
 }
 
 TEST(Surface_intersections, RaysMeetATorusInOrder)

@@ -241,12 +241,13 @@ public:
       throw Invalid_input("Bspline_function: the part to restrict axis " + std::to_string(axis) + " to is empty or not within the domain");
     if (own.is_clamped() && begin == own.begin() && end == own.end())
       return *this;
+    const Bspline_function near = with_spans(axis, begin, end);
     Breaks breaks{{begin, 1}};
-    for (const auto& entry : internal::breaks_of(own))
+    for (const auto& entry : internal::breaks_of(near.at(axis)))
       if (begin < entry.value && entry.value < end)
         breaks.push_back(entry);
     breaks.push_back({end, 1});
-    return refined_to(axis, internal::clamped(own.degree, breaks));
+    return near.refined_to(axis, internal::clamped(own.degree, breaks));
   }
 
   //! the parts before and after a parameter inside the domain. \throws Invalid_input when it is not inside.
@@ -371,6 +372,25 @@ private:
   std::vector<NT> transformed(int axis, const internal::Band_matrix<NT>& matrix) const
   {
     return internal::transform_axis(*m_coefficients, internal::axis_view(internal::extents(m_axes), axis), matrix);
+  }
+
+  // With the knots and control points of an axis that the function depends on between two parameters.
+  Bspline_function with_spans(int axis, const NT& begin, const NT& end) const
+  {
+    const Axis& own = at(axis);
+    const std::vector<NT>& knots = *own.knots;
+    const auto degree = static_cast<std::size_t>(own.degree), before = internal::span_of(own, begin) - degree;
+    const auto last = static_cast<std::size_t>(std::lower_bound(knots.begin() + static_cast<std::ptrdiff_t>(before + degree + 1), knots.end(), end) - knots.begin());   // the span ends there
+    const std::size_t count = last - before;   // of control points
+    if (count == own.size())
+      return *this;
+    std::vector<Axis> axes = m_axes;
+    const auto first = knots.begin() + static_cast<std::ptrdiff_t>(before);
+    axes[axis].knots = std::vector<NT>(first, first + static_cast<std::ptrdiff_t>(count + degree + 1));
+    std::vector<int> firsts(m_axes.size(), 0), extents = internal::extents(m_axes), part = extents;
+    firsts[axis] = static_cast<int>(before);
+    part[axis] = static_cast<int>(count) - 1;
+    return Bspline_function(Unchecked(), std::move(axes), internal::tensor_block(*m_coefficients, extents, firsts, part));
   }
 
   Bspline_function refined_to(int axis, Axis finer) const

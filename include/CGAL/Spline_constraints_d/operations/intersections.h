@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Intersection_operand.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/operations/internal/isoparametric_overlap.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_along_surfaces.h>
 
 #include <utility>
 #include <vector>
@@ -41,9 +41,8 @@ Operands are taken exactly (doubles are rational numbers), and so are all decisi
 solutions where the first one has just one. Systems with more equations than unknowns, as of two curves in space, are decided by exact signs: operands that miss each other by however
 little do not meet. If the points of an operand are affine in its parameters, as those of a point, segment or parallelogram, these are eliminated.
 
-An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, for a curve in a planar parallelogram, and for a curve that runs along a surface on a line where one parameter is constant and the other one is
-affine in that of the curve; other parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver finds a segment or an
-interval with rational ends, and on such lines, and enclosures otherwise. Other curves in space that lie in a surface are `UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not reported again, unless the operands touch there.
+An `OVERLAP` is proved for curves in the plane, for a line or segment that lies in a surface, for a curve in a planar parallelogram, and for a curve \f$C(t) = S(q(t))\f$ on a surface, where \f$q\f$ is a polynomial of degree three at most that meets breaks and edges of the surface at rational parameters, and for a curve and a surface on the same sphere; other
+parameters of the surface for the same points are not looked for. Its parameter ranges are exact where the solver finds a segment or an interval with rational ends, and for linear \f$q\f$; for others, that on the curve is. Otherwise they are enclosures, those of a surface on a sphere its domain. Other curves in space that lie in a surface are `UNDECIDED`. An end of an overlap of curves that is found again, as a corner of another piece or on a seam, is not reported again, unless the operands touch there.
 
 A line, ray or plane is cut by a box around the other operand, beyond all common points. The parameter \f$t\f$ of a ray stands for the point \f$p + t\,(q - p)\f$ with its source \f$p\f$ and `second_point()` \f$q\f$,
 that of a line for \f$p + t\,d\f$ with \f$d\f$ its `to_vector()` and \f$p\f$ its `point()` in space, the point next to the origin in the plane. Other objects of CGAL have the parameters that `to_bspline_surface()` gives them, or, where

@@ -65,7 +65,8 @@ public:
 
   void add(const Blossom_argument<Exact_rational>& x)
   {
-    const auto [numerator, denominator] = parts_of_rational(x.value);
+    const auto parts = parts_of_rational(x.value);
+    const Short_integer &numerator = parts.first, &denominator = parts.second;
     const bool is_direction = x.weight == 0;
     std::vector<Short_integer>& weights = m_weights.numerators;
     const std::size_t level = weights.size();

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Unknown_expression.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Nearest_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -36,6 +38,8 @@ struct Critical_distance
 
 /*
 The critical points of the squared distance of two operands. For every pair of sites there is a system, whose unknowns are the parameters of both that are not fixed.
+
+The least distance is looked for in regions that hold all pairs of nearest points. Where a region ends inside of an operand, there are none.
 */
 template <int d>
 class Critical_distances
@@ -46,14 +50,30 @@ class Critical_distances
 
   static constexpr int refinements = 128;   // of a solution that is not certified
 
-  struct Found
+  struct Region
+  {
+    std::array<std::vector<Site>, 2> sites;
+    std::vector<Box> boxes;   // of all parameters, which together hold the pairs that are looked for
+  };
+
+  struct Pair_of_sites
   {
     const Site *a, *b;
+    const Region* region;
+  };
+
+  struct Found
+  {
+    Pair_of_sites sites;
     std::vector<Box> boxes;   // of their parameters, which together hold it
+    bool is_exact;
     Critical_distance distance;
   };
 
-  std::array<std::vector<Site>, 2> m_sites;
+  std::array<Spline_patch<d>, 2> m_operands;
+  Joint_rule m_rule;
+  std::array<std::vector<std::vector<Axis_part>>, 2> m_parts;
+  std::vector<Region> m_regions;
   Subdivision_solver_d<Certified_solver_traits> m_solver;
   Exact_rational m_upper;   // no pair of closest points has a larger squared distance
   Exact_rational m_least;   // of the bounds of what was found
@@ -62,15 +82,15 @@ class Critical_distances
 
 public:
   Critical_distances(const Spline_patch<d>& a, const Spline_patch<d>& b, const Joint_rule& rule, const Solver_options& options)
-    : m_sites{sites_of(a, rule), sites_of(b, rule)}, m_solver(options), m_upper(squared_distance_of<d>(a(a.middle()), b(b.middle())))
+    : m_operands{a, b}, m_rule(rule), m_parts{parts_of_axes(a, rule), parts_of_axes(b, rule)}, m_solver(options), m_upper(squared_distance_of<d>(a(a.middle()), b(b.middle())))
   {}
 
   // All of them, by increasing distance.
   std::vector<Critical_distance> all()
   {
-    for (const Site& a : m_sites[0])
-      for (const Site& b : m_sites[1])
-        find_critical_distances(a, b);
+    m_regions = {{{sites_of(m_operands[0], m_parts[0], m_rule), sites_of(m_operands[1], m_parts[1], m_rule)}, {whole_domain()}}};
+    for (const Pair_of_sites& sites : pairs_of_sites())
+      find_critical_distances(sites);
     for (Found& found : m_found)
       enclose(found);
     return sorted();
@@ -79,9 +99,10 @@ public:
   // Those that may be the least distance.
   std::vector<Critical_distance> nearest()
   {
-    for (const auto& [a, b] : pairs_of_sites())
-      if (!is_too_far(squared_norm(a->bounds() - b->bounds())))
-        find_critical_distances(*a, *b);
+    find_regions();
+    for (const Pair_of_sites& sites : pairs_of_sites())
+      if (!is_too_far(squared_norm(sites.a->bounds() - sites.b->bounds())))
+        find_critical_distances(sites);
     drop_those_too_far();
     for (Found& found : m_found)
       enclose(found);
@@ -101,14 +122,78 @@ private:
 
   void drop_those_too_far() { std::erase_if(m_found, [&](const Found& x) { return is_too_far(x.distance.squared_distance); }); }
 
-  // Those with few unknowns first: they make others too far.
-  std::vector<std::pair<const Site*, const Site*>> pairs_of_sites() const
+  Box whole_domain() const
   {
-    std::vector<std::pair<const Site*, const Site*>> result;
-    for (const Site& a : m_sites[0])
-      for (const Site& b : m_sites[1])
-        result.emplace_back(&a, &b);
-    const auto unknowns = [](const auto& pair) { return pair.first->free_axes().size() + pair.second->free_axes().size(); };
+    Box result;
+    for (const Spline_patch<d>& operand : m_operands)
+      for (int axis = 0; axis < operand.number_of_parameters(); ++axis)
+        result.push_back(operand.domain(axis));
+    return result;
+  }
+
+  // The joints of an operand, by its breaks. Both ends of a closed axis are the same.
+  Joints joints_of(std::size_t operand) const
+  {
+    Joints result;
+    for (int axis = 0; axis < m_operands[operand].number_of_parameters(); ++axis) {
+      const std::vector<Exact_rational> breaks = m_operands[operand].breaks(axis);
+      std::vector<bool>& is_joint = result.emplace_back(breaks.size(), false);
+      for (const Axis_part& part : m_parts[operand][axis])
+        if (part.range.first == part.range.second)
+          is_joint[static_cast<std::size_t>(std::lower_bound(breaks.begin(), breaks.end(), part.range.first) - breaks.begin())] = true;
+      if (m_operands[operand].is_closed(axis))
+        is_joint.back() = is_joint.front();
+    }
+    return result;
+  }
+
+  // Cells that may hold nearest points are in one region if they are neighbours.
+  void find_regions()
+  {
+    const Nearest_parts<d> nearest(m_operands[0], m_operands[1], {joints_of(0), joints_of(1)}, m_upper);
+    m_upper = (std::min)(m_upper, to_rational(nearest.upper()));
+    const std::vector<Box> boxes = nearest.boxes();
+    for (const Box& hull : separate_hulls(nearest.boxes_of_cells())) {
+      Region& region = m_regions.emplace_back();
+      std::size_t next = 0;
+      for (const std::size_t operand : {0, 1}) {
+        std::vector<std::vector<Axis_part>> parts;
+        for (const std::vector<Axis_part>& all : m_parts[operand])
+          parts.push_back(parts_within(all, hull[next++]));
+        region.sites[operand] = sites_of(m_operands[operand], parts, m_rule);
+      }
+      std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(region.boxes), [&](const Box& box) { return meet(box, hull); });
+    }
+  }
+
+  static bool meet(const Box& a, const Box& b)
+  {
+    return std::equal(a.begin(), a.end(), b.begin(), [](const Parameter_range& x, const Parameter_range& y) { return x.first <= y.second && y.first <= x.second; });
+  }
+
+  // Whether a box may hold one of the pairs that are looked for, with the parameters of these sites: those of a piece are not at a joint where the derivative is not zero.
+  static bool may_be_in(const Box& box, const Pair_of_sites& sites)
+  {
+    Box ranges = sites.a->ranges();
+    const Box others = sites.b->ranges();
+    ranges.insert(ranges.end(), others.begin(), others.end());
+    return std::equal(box.begin(), box.end(), ranges.begin(), [](const Parameter_range& x, const Parameter_range& range) {
+      return range.first == range.second ? x.first <= range.first && range.first <= x.second : x.first < x.second && x.first < range.second && range.first < x.second;
+    });
+  }
+
+  // Those with few unknowns first: they make others too far.
+  std::vector<Pair_of_sites> pairs_of_sites() const
+  {
+    std::vector<Pair_of_sites> result;
+    for (const Region& region : m_regions)
+      for (const Site& a : region.sites[0])
+        for (const Site& b : region.sites[1]) {
+          const Pair_of_sites sites{&a, &b, &region};
+          if (std::any_of(region.boxes.begin(), region.boxes.end(), [&](const Box& box) { return may_be_in(box, sites); }))
+            result.push_back(sites);
+        }
+    const auto unknowns = [](const Pair_of_sites& sites) { return sites.a->free_axes().size() + sites.b->free_axes().size(); };
     std::stable_sort(result.begin(), result.end(), [&](const auto& x, const auto& y) { return unknowns(x) < unknowns(y); });
     return result;
   }
@@ -159,30 +244,45 @@ private:
     return result;
   }
 
-  void find_critical_distances(const Site& a, const Site& b)
+  void find_critical_distances(const Pair_of_sites& sites)
   {
-    const std::vector<Unknown> u = unknowns_in(domain_of(a, b));
-    const std::vector<Constraint> constraints = distance_constraints(a, b, u);
+    const auto& [a, b, region] = sites;
+    const std::vector<Unknown> u = unknowns_in(domain_of(*a, *b));
+    const std::vector<Constraint> constraints = distance_constraints(*a, *b, u);
     if (u.empty()) {
       if (std::all_of(constraints.begin(), constraints.end(), [](const Constraint& c) { return is_satisfied(c.relation, CGAL::sign(c.function.constant_term())); }))
-        add(a, b, Solution_kind::CERTIFIED, {}, {}, std::nullopt);
+        add(sites, Solution_kind::CERTIFIED, {{}}, {}, true, std::nullopt);
       return;
     }
     const Solution_set_d<double> solutions = m_solver(make_system(constraints));
     m_summary += solutions.summary();
     for (const Solution& solution : solutions)
-      add_solution(a, b, constraints, solution);
+      if (const Box box = with_fixed_parameters(sites, clipped(solution.exact_box(), domain_of(*a, *b))); std::any_of(region->boxes.begin(), region->boxes.end(), [&](const Box& x) { return meet(x, box); }))
+        add_solution(sites, constraints, solution);
   }
 
-  void add_solution(const Site& a, const Site& b, const std::vector<Constraint>& constraints, const Solution& solution)
+  // All parameters, where those that are free are in a box.
+  static Box with_fixed_parameters(const Pair_of_sites& sites, const Box& box)
   {
-    const Box domain = domain_of(a, b);
+    Box result;
+    auto next = box.begin();
+    for (const Site* site : {sites.a, sites.b}) {
+      const Box ranges = site->ranges();
+      for (int axis = 0; axis < static_cast<int>(ranges.size()); ++axis)
+        result.push_back(std::find(site->free_axes().begin(), site->free_axes().end(), axis) != site->free_axes().end() ? *next++ : ranges[axis]);
+    }
+    return result;
+  }
+
+  void add_solution(const Pair_of_sites& sites, const std::vector<Constraint>& constraints, const Solution& solution)
+  {
+    const Box domain = domain_of(*sites.a, *sites.b);
     Box box = clipped(solution.exact_box(), domain);
     std::vector<Exact_rational> simplest;
     for (const auto& [lower, upper] : box)
       simplest.push_back(simplest_rational_between(lower, upper));
     if (!solution.is_certified())
-      look_at(a, b, simplest);
+      look_at(sites, simplest);
     else if (is_solution(constraints, simplest))
       for (std::size_t i = 0; i < box.size(); ++i)
         box[i] = {simplest[i], simplest[i]};
@@ -192,22 +292,21 @@ private:
       for (Box& part : boxes)
         part = clipped(std::move(part), domain);
     }
+    const bool is_exact = is_connected_continuum(solution, constraints) || std::all_of(box.begin(), box.end(), [](const Parameter_range& x) { return x.first == x.second; });
     const std::vector<Exact_rational> sample = sample_of(solution, boxes.front());
-    add(a, b, solution.kind(), box, sample, solution);
-    m_found.back().boxes = boxes;
-    if (!is_connected_continuum(solution, constraints))
-      m_found.back().distance.squared_distance = hull_of(boxes, [&](const Box& part) { return rough_range(a, b, part); });
+    add(sites, solution.kind(), std::move(boxes), sample, is_exact, solution);
+    m_found.back().distance.ranges = ranges_of(sites, box);
   }
 
-  // Brings bounds of a distance that may matter close together.
+  // Bounds of a distance that are close together.
   void enclose(Found& found)
   {
-    Rational_interval& range = found.distance.squared_distance;
-    if (range.lower == range.upper)
+    if (found.is_exact)
       return;
-    range = hull_of(found.boxes, [&](const Box& part) { return range_on(*found.a, *found.b, part); });
+    Rational_interval& range = found.distance.squared_distance;
+    range = hull_of(found.boxes, [&](const Box& part) { return range_on(found.sites, part); });
     const Solution& solution = *found.distance.solution;
-    if (range.lower == 0 && range.upper > 0 && is_crossing(*found.a, *found.b, solution)) {
+    if (range.lower == 0 && range.upper > 0 && is_crossing(found.sites, solution)) {
       range = Rational_interval(Exact_rational(0));
       m_upper = Exact_rational(0);
     } else if (solution.kind() != Solution_kind::UNDECIDED)
@@ -234,20 +333,27 @@ private:
     });
   }
 
-  void add(const Site& a, const Site& b, Solution_kind kind, const Box& box, const std::vector<Exact_rational>& sample, const std::optional<Solution>& solution)
+  static std::array<std::vector<Parameter_range>, 2> ranges_of(const Pair_of_sites& sites, const Box& box)
   {
-    Critical_distance result{kind, {a.ranges(), b.ranges()}, {}, Rational_interval(squared_distance_at(a, b, sample)), solution};
-    std::size_t next = 0;
-    for (const auto& [operand, site] : {std::pair(0, &a), std::pair(1, &b)}) {
-      for (const Parameter_range& range : result.ranges[operand])
-        result.sample[operand].push_back(range.first);
-      for (int axis : site->free_axes()) {
-        result.ranges[operand][axis] = box[next];
-        result.sample[operand][axis] = sample[next++];
-      }
-    }
+    const Box all = with_fixed_parameters(sites, box);
+    const auto split = all.begin() + static_cast<std::ptrdiff_t>(sites.a->ranges().size());
+    return {std::vector<Parameter_range>(all.begin(), split), std::vector<Parameter_range>(split, all.end())};
+  }
+
+  // What the boxes hold together, with the parameters of a point in the first one. Whether it is exact: the distance is that of this point.
+  void add(const Pair_of_sites& sites, Solution_kind kind, std::vector<Box> boxes, const std::vector<Exact_rational>& sample, bool is_exact, const std::optional<Solution>& solution)
+  {
+    const Exact_rational at_point = squared_distance_at(sites, sample);
+    Critical_distance result{kind, ranges_of(sites, boxes.front()), {}, Rational_interval(is_exact ? at_point : Exact_rational(0), at_point), solution};
+    Box at_sample;
+    for (const Exact_rational& x : sample)
+      at_sample.emplace_back(x, x);
+    const auto points = ranges_of(sites, at_sample);
+    for (const std::size_t operand : {0, 1})
+      for (const Parameter_range& x : points[operand])
+        result.sample[operand].push_back(x.first);
     m_upper = (std::min)(m_upper, result.squared_distance.upper);
-    m_found.push_back({&a, &b, {box}, std::move(result)});
+    m_found.push_back({sites, std::move(boxes), is_exact, std::move(result)});
   }
 
   // In the middle of a segment of solutions, or of a box.
@@ -260,17 +366,17 @@ private:
     return result;
   }
 
-  static Exact_rational squared_distance_at(const Site& a, const Site& b, const std::vector<Exact_rational>& point)
+  static Exact_rational squared_distance_at(const Pair_of_sites& sites, const std::vector<Exact_rational>& point)
   {
     const std::span<const Exact_rational> parameters(point);
-    const auto split = static_cast<std::size_t>(a.patch().number_of_parameters());
-    return squared_distance_of<d>(a.patch()(parameters.first(split)), b.patch()(parameters.subspan(split)));
+    const auto split = static_cast<std::size_t>(sites.a->patch().number_of_parameters());
+    return squared_distance_of<d>(sites.a->patch()(parameters.first(split)), sites.b->patch()(parameters.subspan(split)));
   }
 
-  static Rational_interval range_on(const Site& a, const Site& b, const Box& box)
+  static Rational_interval range_on(const Pair_of_sites& sites, const Box& box)
   {
-    const auto split = box.begin() + a.patch().number_of_parameters();
-    return squared_distance_bounds<d>(a.patch().part(Box(box.begin(), split)), b.patch().part(Box(split, box.end())));
+    const auto split = box.begin() + sites.a->patch().number_of_parameters();
+    return squared_distance_bounds<d>(sites.a->patch().part(Box(box.begin(), split)), sites.b->patch().part(Box(split, box.end())));
   }
 
   template <class Range_on>
@@ -279,21 +385,6 @@ private:
     Rational_interval result = range_on(boxes.front());
     for (std::size_t i = 1; i < boxes.size(); ++i)
       result = hull(result, range_on(boxes[i]));
-    return result;
-  }
-
-  // The same from the bounds of the derivatives on the sites.
-  static Rational_interval rough_range(const Site& a, const Site& b, const Box& box)
-  {
-    const Vector_bounds<d> offset = a.bounds() - b.bounds();
-    Rational_interval result(squared_distance_at(a, b, middle_of(box)));
-    std::size_t axis = 0;
-    for (const Site* site : {&a, &b})
-      for (const Vector_bounds<d>& tangent : site->tangents()) {
-        const Exact_rational width(box[axis].second - box[axis].first);   // twice the distance from the middle, and the derivative is twice the inner product
-        result = result + dot(offset, tangent) * Rational_interval(Exact_rational(-width), width);
-        ++axis;
-      }
     return result;
   }
 
@@ -306,12 +397,12 @@ private:
       Exact_rational lower;
     };
     Rational_interval& range = found.distance.squared_distance;
-    if (range.lower == range.upper)
+    if (found.is_exact)
       return range;
     const auto is_farther = [](const Part& p, const Part& q) { return p.lower > q.lower; };
     std::vector<Part> parts;
     const auto push = [&](Box box) {
-      const Exact_rational lower = range_on(*found.a, *found.b, box).lower;
+      const Exact_rational lower = range_on(found.sites, box).lower;
       parts.push_back({std::move(box), lower});
       std::push_heap(parts.begin(), parts.end(), is_farther);
     };
@@ -336,9 +427,9 @@ private:
   }
 
   // A pair of points whose distance is an upper bound of the least one.
-  void look_at(const Site& a, const Site& b, const std::vector<Exact_rational>& parameters)
+  void look_at(const Pair_of_sites& sites, const std::vector<Exact_rational>& parameters)
   {
-    m_upper = (std::min)(m_upper, squared_distance_at(a, b, parameters));
+    m_upper = (std::min)(m_upper, squared_distance_at(sites, parameters));
   }
 
   static bool is_solution(const std::vector<Constraint>& constraints, const std::vector<Exact_rational>& point)
@@ -349,14 +440,14 @@ private:
   }
 
   // Whether a critical point is a regular solution of A = B, by proof. As such ones are critical points, it is enough that there is one where no other critical point is.
-  bool is_crossing(const Site& a, const Site& b, const Solution& solution) const
+  bool is_crossing(const Pair_of_sites& sites, const Solution& solution) const
   {
     const Undecided_reason reason = solution.reason();
     const bool is_regular = solution.is_certified() || reason == Undecided_reason::INEQUALITY || reason == Undecided_reason::DOMAIN_BOUNDARY;
     if (!is_regular || solution.box().size() > d)
       return false;
     const Box region = solution.uniqueness_region().empty() ? solution.exact_box() : solution.exact_uniqueness_region();
-    return common_points(a, b, clipped(region, domain_of(a, b))).count(Solution_kind::CERTIFIED) > 0;
+    return common_points(*sites.a, *sites.b, clipped(region, domain_of(*sites.a, *sites.b))).count(Solution_kind::CERTIFIED) > 0;
   }
 
   // With as many parameters as coordinates.
@@ -376,16 +467,16 @@ private:
   void find_crossing()
   {
     const bool may_be_zero = m_upper > 0 && std::any_of(m_found.begin(), m_found.end(), [](const Found& x) { return x.distance.squared_distance.lower == 0; });
-    for (const auto& [a, b] : pairs_of_sites()) {
-      if (!may_be_zero || a->free_axes().size() + b->free_axes().size() != d || squared_norm(a->bounds() - b->bounds()).lower > 0)
+    for (const Pair_of_sites& sites : pairs_of_sites()) {
+      const Site &a = *sites.a, &b = *sites.b;
+      if (!may_be_zero || a.free_axes().size() + b.free_axes().size() != d || squared_norm(a.bounds() - b.bounds()).lower > 0)
         continue;
-      const Solution_set_d<double> solutions = common_points(*a, *b, domain_of(*a, *b));
+      const Solution_set_d<double> solutions = common_points(a, b, domain_of(a, b));
       m_summary += solutions.summary();
       if (solutions.count(Solution_kind::CERTIFIED) == 0)
         continue;
-      const Box box = clipped(solutions[0].exact_box(), domain_of(*a, *b));
-      add(*a, *b, Solution_kind::CERTIFIED, box, sample_of(solutions[0], box), solutions[0]);
-      m_found.back().boxes = {box};
+      const Box box = clipped(solutions[0].exact_box(), domain_of(a, b));
+      add(sites, Solution_kind::CERTIFIED, {box}, sample_of(solutions[0], box), true, solutions[0]);
       m_found.back().distance.squared_distance = Rational_interval(Exact_rational(0));
       m_upper = Exact_rational(0);
       return;

@@ -5,9 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_TREE_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Bernstein_net.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
-
-#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +21,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Double_interval = CGAL::Interval_nt<false>;   // within an Upward_rounding_guard
-template <int d>
-using Double_intervals = std::array<Double_interval, d>;
-
 // a + t b
 template <std::size_t d>
 std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>& a, const Double_interval& t, const std::array<Double_interval, d>& b)
@@ -37,58 +32,6 @@ std::array<Double_interval, d> moved_along(const std::array<Double_interval, d>&
 }
 
 inline Double_interval rounded(const Rational_interval& x) { return {to_double_interval(x.lower).first, to_double_interval(x.upper).second}; }
-inline Double_interval hull_of(const Double_interval& a, const Double_interval& b) { return {(std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())}; }
-
-// A polynomial on a range, by its Bernstein coefficients.
-class Bernstein_row
-{
-  std::vector<Double_interval> m_coefficients;
-
-public:
-  Bernstein_row() = default;
-
-  //! \pre no break inside the domain
-  explicit Bernstein_row(const Exact_function& f)
-  {
-    const Exact_function clamped = f.restricted(0, f.domain(0).first, f.domain(0).second);
-    for (const Exact_rational& x : clamped.coefficients())
-      m_coefficients.emplace_back(to_double_interval(x));
-  }
-
-  Double_interval bounds() const
-  {
-    Double_interval result = m_coefficients[0];
-    for (const Double_interval& x : m_coefficients)
-      result = hull_of(result, x);
-    return result;
-  }
-
-  // Of the derivative by the place in the range, from 0 to 1.
-  Double_interval derivative_bounds() const
-  {
-    if (m_coefficients.size() < 2)
-      return 0;
-    Double_interval result = m_coefficients[1] - m_coefficients[0];
-    for (std::size_t i = 2; i < m_coefficients.size(); ++i)
-      result = hull_of(result, m_coefficients[i] - m_coefficients[i - 1]);
-    return static_cast<double>(m_coefficients.size() - 1) * result;
-  }
-
-  // Becomes the first half, and gives the second one, which begins with the value in the middle.
-  Bernstein_row split()
-  {
-    Bernstein_row second(*this);
-    std::vector<Double_interval>& values = second.m_coefficients;
-    for (std::size_t r = 1; r < values.size(); ++r) {
-      for (std::size_t k = 0; k + r < values.size(); ++k)
-        values[k] = 0.5 * (values[k] + values[k + 1]);
-      m_coefficients[r] = values[0];
-    }
-    return second;
-  }
-
-  const Double_interval& front() const { return m_coefficients.front(); }
-};
 
 /*
 A part of a curve with bounds of its points and derivatives, and the smaller parts that it consists of, which are made when they are asked for: of the whole curve the
@@ -102,8 +45,7 @@ class Curve_tree
   Double_interval m_width;
   std::shared_ptr<const Spline_patch<d>> m_patch;   // of the whole curve only
   int m_level = 0;
-  std::array<Bernstein_row, d> m_numerators;
-  std::optional<Bernstein_row> m_weight;
+  std::optional<Bernstein_net<d>> m_net;   // of a part of a piece only
   Double_intervals<d> m_middle_point, m_values, m_tangents;
   mutable std::vector<Curve_tree> m_children;
 
@@ -189,45 +131,38 @@ private:
     for (std::size_t k = 1; k < breaks.size(); ++k) {
       const Parameter_range range(breaks[k - 1], breaks[k]);
       const Spline_patch<d> piece = m_patch->part(0, range);
-      Curve_tree& child = m_children.emplace_back(Curve_tree(piece, range));
-      for (std::size_t i = 0; i < d; ++i)
-        child.m_numerators[i] = Bernstein_row(piece.numerators()[i]);
-      if (piece.is_rational())
-        child.m_weight = Bernstein_row(piece.weight());
+      m_children.push_back(Curve_tree(piece, range));
+      m_children.back().m_net = Bernstein_net<d>(piece);
     }
   }
 
   void add_halves() const
   {
-    Curve_tree first(*this), second(*this);
-    first.m_range.second = second.m_range.first = m_middle;
-    for (std::size_t i = 0; i < d; ++i)
-      second.m_numerators[i] = first.m_numerators[i].split();
-    if (m_weight)
-      second.m_weight = first.m_weight->split();
-    first.halve();
-    second.halve();
-    m_children.push_back(std::move(first));
-    m_children.push_back(std::move(second));
+    const Curve_tree whole(*this);
+    std::array<Bernstein_net<d>, 2> halves = m_net->halves(0);
+    for (const int side : {0, 1}) {
+      Curve_tree& half = m_children.emplace_back(whole);
+      (side == 0 ? half.m_range.second : half.m_range.first) = m_middle;
+      half.m_net = std::move(halves[side]);
+      half.improve_bounds();
+    }
   }
 
   // The bounds of a half of what they were for; they remain where the weights do not show that they are positive.
-  void halve()
+  void improve_bounds()
   {
     m_middle = middle_of(m_range);
     m_width = 0.5 * m_width;
     ++m_level;
-    const Double_interval one(1), weight = m_weight ? m_weight->bounds() : one, weight_slope = m_weight ? m_weight->derivative_bounds() : Double_interval(0);
-    if (weight.inf() <= 0) {
+    if (!m_net->has_bounds()) {
       m_middle_point = m_values;
       return;
     }
-    const Double_interval middle_weight = m_weight ? Bernstein_row(*m_weight).split().front() : one;
-    for (std::size_t i = 0; i < d; ++i) {
-      m_values[i] = m_numerators[i].bounds() / weight;
-      m_tangents[i] = (m_numerators[i].derivative_bounds() - m_values[i] * weight_slope) / weight / m_width;
-      m_middle_point[i] = Bernstein_row(m_numerators[i]).split().front() / middle_weight;
-    }
+    m_middle_point = m_net->halves(0)[1].corner();
+    m_values = m_net->values();
+    m_tangents = m_net->derivatives(0, m_values);
+    for (Double_interval& x : m_tangents)
+      x = x / m_width;
   }
 };
 

@@ -169,7 +169,7 @@ private:
   bool are_contacts_monotone(const Disk_branch& branch) const
   {
     const auto& [event, arc, parameter, positive, negative, ends, between] = *branch.move;
-    return common_sign(*ends, [&](const Arc_end& end) {
+    return common_sign(*ends, [&, &ends = ends, &negative = negative, &positive = positive](const Arc_end& end) {
       const Range& range = (end == (*ends)[0] ? negative : positive).range;
       return at(m_part, end.arc, range).duv;
     }) != 0;

@@ -127,7 +127,7 @@ private:
         append(end ? before : after, part.range);
         return true;
       }
-    const auto sign_at = [&](double u) { return contacts.compare(before, after, u); };
+    const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
     const Common_disk disk(m_graph, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), before), branches);

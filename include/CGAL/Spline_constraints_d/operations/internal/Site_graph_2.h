@@ -321,7 +321,7 @@ private:
   static Exact_pair direction_of(const Site_arc_2& arc, bool is_end)
   {
     const auto& [x, y, w] = arc.piece().coordinates;
-    const auto elevated = [&](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
+    const auto elevated = [&x = x, &y = y, &w = w](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
     const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
     const std::size_t last = xs.size() - 1, end = is_end ? last : 0;
     for (std::size_t i = 1; i <= last; ++i) {

@@ -102,6 +102,24 @@ public:
     return result;
   }
 
+  // The breaks inside of an axis where the tangent may jump, by the multiplicities of knots.
+  std::vector<Exact_rational> possible_kinks(int axis) const
+  {
+    std::vector<Exact_rational> result;
+    const auto add_kinks = [&](const Exact_function& f) {
+      std::vector<Exact_rational> kinks;
+      for (const auto& [value, multiplicity] : breaks_of(f.axes()[axis]))
+        if (f.domain(axis).first < value && value < f.domain(axis).second && multiplicity >= f.degree(axis))
+          kinks.push_back(value);
+      result = united(result, kinks);
+    };
+    for (const Exact_function& numerator : m_numerators)
+      add_kinks(numerator);
+    if (m_is_rational)
+      add_kinks(m_weight);
+    return result;
+  }
+
   // With the parameter of an axis in a range. Where that is one number, without this axis.
   Spline_patch part(int axis, const Parameter_range& range) const
   {

@@ -122,8 +122,11 @@ std::vector<Axis_part> parts_of(const Spline_patch<d>& patch, int axis, const Jo
   const auto at = [&](std::size_t i) { return Parameter_range(breaks[i], breaks[i]); };
   const std::size_t last = breaks.size() - 2;
   std::vector<Axis_part> result;
+  const std::vector<Exact_rational> kinks = patch.possible_kinks(axis);
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= last; ++i) {
+    if (!std::binary_search(kinks.begin(), kinks.end(), breaks[i]))
+      continue;
     const Vector_of_functions<d> before = patch.one_sided_tangent(axis, cell(i - 1), 1), after = patch.one_sided_tangent(axis, cell(i), 0);
     if (before == after)
       continue;
@@ -168,7 +171,6 @@ class Spline_site
   Vector_bounds<d> m_bounds;
   std::vector<int> m_free_axes;
   mutable std::optional<Formulas> m_formulas;
-  mutable std::vector<Vector_bounds<d>> m_tangents;
 
 public:
   Spline_site(const Spline_patch<d>& whole, std::vector<Axis_part> parts, const Joint_rule& rule)
@@ -196,14 +198,6 @@ public:
 
   // Bounds of the points.
   const Vector_bounds<d>& bounds() const { return m_bounds; }
-
-  // Bounds of the derivatives by the parameters that it depends on.
-  const std::vector<Vector_bounds<d>>& tangents() const
-  {
-    for (int axis = static_cast<int>(m_tangents.size()); axis < m_patch.number_of_parameters(); ++axis)
-      m_tangents.push_back(m_patch.tangents(axis));
-    return m_tangents;
-  }
 
   // The parameters that it depends on.
   const std::vector<int>& free_axes() const { return m_free_axes; }
@@ -269,14 +263,38 @@ private:
   }
 };
 
-// All sites of a point, curve or surface, those of fewest parameters first.
+// The parts of each axis.
 template <int d>
-std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const Joint_rule& rule)
+std::vector<std::vector<Axis_part>> parts_of_axes(const Spline_patch<d>& patch, const Joint_rule& rule)
+{
+  std::vector<std::vector<Axis_part>> result;
+  for (int axis = 0; axis < patch.number_of_parameters(); ++axis)
+    result.push_back(parts_of(patch, axis, rule));
+  return result;
+}
+
+// What a range of the parameter has of the parts of an axis.
+inline std::vector<Axis_part> parts_within(const std::vector<Axis_part>& parts, const Parameter_range& range)
+{
+  std::vector<Axis_part> result;
+  for (Axis_part part : parts) {
+    const auto [begin, end] = part.range;
+    part.range = {(std::max)(begin, range.first), (std::min)(end, range.second)};
+    part.is_without_end = part.is_without_end && part.range.second == end;
+    if (part.range.first < part.range.second || (begin == end && part.range.first == part.range.second))
+      result.push_back(std::move(part));
+  }
+  return result;
+}
+
+// All sites of a point, curve or surface with these parts of its axes, those of fewest parameters first.
+template <int d>
+std::vector<Spline_site<d>> sites_of(const Spline_patch<d>& patch, const std::vector<std::vector<Axis_part>>& axes, const Joint_rule& rule)
 {
   std::vector<std::vector<Axis_part>> products(1);
-  for (int axis = 0; axis < patch.number_of_parameters(); ++axis) {
+  for (const std::vector<Axis_part>& parts : axes) {
     std::vector<std::vector<Axis_part>> longer;
-    for (const Axis_part& part : parts_of(patch, axis, rule))
+    for (const Axis_part& part : parts)
       for (std::vector<Axis_part> product : products) {
         product.push_back(part);
         longer.push_back(std::move(product));
