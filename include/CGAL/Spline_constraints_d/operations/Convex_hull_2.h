@@ -7,7 +7,9 @@
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curve_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Hull_boundary_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/joined_edges.h>
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/assertions.h>
@@ -40,9 +42,7 @@ public:
   using Curve = Bspline_curve_2<Kernel>;
 
 private:
-  using Pieces = std::vector<internal::Hull_piece_2>;
-
-  std::vector<Pieces> m_pieces;              // of each curve
+  internal::Curve_parts_2 m_parts;
   std::vector<internal::Exact_pair> m_points;
   std::vector<Hull_edge_2> m_edges;
   Summary m_summary;
@@ -60,17 +60,13 @@ public:
     if (curves.empty() && points.empty())
       throw Invalid_input("Convex_hull_2: there are neither curves nor points");
     const Upward_rounding_guard guard;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      m_pieces.emplace_back();
-      for (const internal::Boundary_piece& piece : internal::boundary_pieces(curves[i], i))
-        internal::append_hull_pieces(piece, m_pieces.back());
-    }
+    m_parts = internal::Curve_parts_2(curves);
     std::map<internal::Exact_pair, Hull_vertex_2> isolated;
     for (const Point& point : points) {
       m_points.push_back({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
       isolated.try_emplace(m_points.back(), Hull_vertex_2{curves.size() + m_points.size() - 1, {}});
     }
-    const internal::Hull_boundary_2 boundary(m_pieces, std::move(isolated), options);
+    const internal::Hull_boundary_2 boundary(m_parts.pieces(), std::move(isolated), options);
     m_edges = with_joined_arcs(boundary.edges());
     m_summary = boundary.work();
     m_summary.is_complete = is_complete();
@@ -106,8 +102,7 @@ public:
     const auto& [kind, source, target] = m_edges[edge];
     std::vector<Point> result{point(source)};
     if (kind == Hull_edge_kind::ARC)
-      for (const internal::Hull_piece_2& piece : pieces_between(source.curve, source.parameter(), target.parameter()))
-        append_samples(piece, to_rational(error), result);
+      m_parts.append_samples<Kernel>(source.curve, source.parameter(), target.parameter(), to_rational(error), result);
     else
       result.push_back(point(target));
     return result;
@@ -144,7 +139,7 @@ public:
     Exact_rational twice_polygon(0), twice_rest(0);
     for (std::size_t i = 0; i < m_edges.size(); ++i)
       if (m_edges[i].kind == Hull_edge_kind::ARC)
-        for (const internal::Hull_piece_2& piece : pieces_between(m_edges[i].source.curve, certain_end(i, 0), certain_end(i, 1)))
+        for (const internal::Hull_piece_2& piece : m_parts.between(m_edges[i].source.curve, certain_end(i, 0), certain_end(i, 1)))
           arcs.push_back(piece.curve());
       else {
         const auto [begin, end] = certain_segment(i);
@@ -169,63 +164,12 @@ private:
       return edge.kind == Hull_edge_kind::ARC && next.kind == Hull_edge_kind::ARC && edge.target.curve == next.source.curve && edge.target.parameters == next.source.parameters &&
              edge.is_reversed() == next.is_reversed();
     };
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (!goes_on(edges[(i + edges.size() - 1) % edges.size()], edges[i])) {
-        std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(i), edges.end());
-        break;
-      }
-    std::vector<Hull_edge_2> result;
-    for (const Hull_edge_2& edge : edges)
-      if (!result.empty() && goes_on(result.back(), edge))
-        result.back().target = edge.target;
-      else
-        result.push_back(edge);
-    return result;
+    return internal::joined_edges(std::move(edges), goes_on, [](Hull_edge_2& edge, const Hull_edge_2& next) { edge.target = next.target; });
   }
 
   internal::Exact_pair exact_point(std::size_t curve, const Exact_rational& parameter) const
   {
-    if (curve >= m_pieces.size())
-      return m_points[curve - m_pieces.size()];
-    const auto piece = std::find_if(m_pieces[curve].begin(), m_pieces[curve].end() - 1, [&](const auto& p) { return parameter <= p.curve().parameters[1]; });
-    const auto& [begin, end] = piece->curve().parameters;
-    return piece->curve().at(Exact_rational((parameter - begin) / (end - begin)));
-  }
-
-  // A part of a curve, run backwards if parameters decrease.
-  Pieces pieces_between(std::size_t curve, const Exact_rational& from, const Exact_rational& to) const
-  {
-    Pieces result;
-    for (const internal::Hull_piece_2& piece : m_pieces[curve]) {
-      const auto& [begin, end] = piece.curve().parameters;
-      const Exact_rational lower = (std::max)(begin, (std::min)(from, to)), upper = (std::min)(end, (std::max)(from, to));
-      if (!(lower < upper))
-        continue;
-      result.emplace_back(internal::restricted(piece.curve(), Exact_rational((lower - begin) / (end - begin)), Exact_rational((upper - begin) / (end - begin))));
-    }
-    if (to < from) {
-      std::reverse(result.begin(), result.end());
-      for (internal::Hull_piece_2& piece : result)
-        piece = piece.reversed();
-    }
-    return result;
-  }
-
-  // Samples after the begin of a piece.
-  static void append_samples(const internal::Hull_piece_2& piece, const Exact_rational& error, std::vector<Point>& samples)
-  {
-    const internal::Exact_pair chord = internal::difference(piece.end(), piece.begin());
-    const Exact_rational squared_length = internal::exact_dot(chord, chord);
-    const bool is_close = std::all_of(piece.points().begin(), piece.points().end(), [&](const internal::Exact_pair& point) {
-      const internal::Exact_pair arm = internal::difference(point, piece.begin());
-      const Exact_rational height = internal::exact_cross(chord, arm), along = internal::exact_dot(chord, arm);
-      return height * height <= error * error * squared_length && along >= 0 && along <= squared_length;
-    });
-    if (is_close)
-      samples.push_back(internal::kernel_object<Kernel, Point>(piece.end()));
-    else
-      for (const internal::Hull_piece_2& half : piece.parts({internal::one_half()}))
-        append_samples(half, error, samples);
+    return curve < m_parts.number_of_curves() ? m_parts.point(curve, parameter) : m_points[curve - m_parts.number_of_curves()];
   }
 
   // The parameter of the begin or end of an arc such that all before it, or after it, is on the boundary.
@@ -257,7 +201,7 @@ private:
       points.emplace_back(p[0], p[1]);
     for (const Hull_vertex_2& vertex : {m_edges[i].source, m_edges[i].target})
       if (vertex.parameters.first < vertex.parameters.second)
-        for (const internal::Hull_piece_2& piece : pieces_between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
+        for (const internal::Hull_piece_2& piece : m_parts.between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
           for (const internal::Exact_pair& p : piece.points())
             points.emplace_back(p[0], p[1]);
     CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));

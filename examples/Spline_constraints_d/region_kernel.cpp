@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The kernel of a region with a smooth boundary, and what is seen of the region from a point that is not in it.
+//
+// Writes region_kernel.svg. Exit status: 0 when all is proved, 3 when a part is not.
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+
+// The corners of a polygon within a distance of a boundary.
+template <class Boundary>
+std::vector<K::Point_2> corners(const Boundary& boundary)
+{
+  const auto polygon = boundary.polygon(1e-3);
+  return {polygon.vertices_begin(), polygon.vertices_end()};
+}
+
+int main()
+{
+  const auto curve = SC::Bspline_curve_2<K>::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7, 8}, {{6, 0}, {1.25, 1.25}, {0, 5}, {-1.25, 1.25}, {-5, 0}, {-1.25, -1.25}, {0, -4}, {1.25, -1.25}});
+  const auto kernel = SC::region_kernel(curve);
+  const K::Point_2 viewpoint(3.5, 0.25);   // on the right of some tangents
+  const auto visible = SC::visible_part(viewpoint, curve);
+
+  std::ofstream file("region_kernel.svg");
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-4.2, -3.5, 4.9, 4.1), 600);
+  picture.polygon(corners(visible), "#eeeeee");
+  picture.polygon(corners(kernel), "#dbe9f6");
+  picture.curve(curve, "black", 2);
+  for (std::size_t i = 0; i < visible.edges().size(); ++i)
+    if (visible.edges()[i].kind == SC::Visible_edge_kind::SEGMENT)
+      picture.curve(SC::polyline_curve(visible.polyline(i, 1e-3)), "#888888", 2);
+  std::size_t arcs = 0, segments = 0;
+  for (std::size_t i = 0; i < kernel.edges().size(); ++i) {
+    const bool is_arc = kernel.edges()[i].kind == SC::Kernel_edge_kind::ARC;
+    ++(is_arc ? arcs : segments);
+    picture.curve(SC::polyline_curve(kernel.polyline(i, 1e-3)), is_arc ? "#d62728" : "#1f77b4", 4);
+    picture.point(kernel.source(i), "black", 7);
+  }
+  picture.point(viewpoint, "black", 9);
+
+  const auto [lower, upper] = kernel.area();
+  std::cout << "kernel of " << arcs << " arcs and " << segments << " segments, area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ")\n";
+  std::cout << "seen from (" << viewpoint << "): area " << SC::to_nearest_double(visible.area().first) << " of " << SC::to_nearest_double(SC::planar_region(curve).area().first) << '\n';
+  return kernel.is_complete() && visible.is_complete() ? 0 : 3;
+}

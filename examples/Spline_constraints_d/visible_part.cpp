@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is seen from a point between the curves of a drawing, in a frame.
+//
+//   visible_part [DRAWING.svg X Y]
+//
+// Writes visible_part.svg. Exit status: 0 when all is proved, 3 when a part is not, 2 for bad input.
+#include <CGAL/Spline_constraints_d/IO/read_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Point = K::Point_2;
+
+int main(int argc, char* argv[])
+{
+  try {
+    std::vector<SC::Bspline_curve_2<K>> curves;
+    CGAL::Bbox_2 box;
+    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg")) {
+      curves.push_back(element.curve);
+      box += element.curve.bbox();
+    }
+    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 20;
+    const Point low(box.xmin() - margin, box.ymin() - margin), high(box.xmax() + margin, box.ymax() + margin);
+    curves.push_back(SC::polyline_curve(std::vector<Point>{low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}));
+    const Point viewpoint = argc > 3 ? Point(std::atof(argv[2]), std::atof(argv[3])) : Point(5, -30);
+    const auto visible = SC::visible_part(viewpoint, curves);
+
+    std::ofstream file("visible_part.svg");
+    SC::SVG_writer picture(file, low.bbox() + high.bbox(), 600);
+    const auto polygon = visible.polygon(size / 5000);
+    picture.polygon(std::vector<Point>(polygon.begin(), polygon.end()), "#fdf3d0");
+    for (const auto& curve : curves)
+      picture.curve(curve, "black", 2);
+    std::size_t arcs = 0, segments = 0;
+    for (std::size_t i = 0; i < visible.edges().size(); ++i) {
+      const bool is_arc = visible.edges()[i].kind == SC::Visible_edge_kind::ARC;
+      ++(is_arc ? arcs : segments);
+      picture.curve(SC::polyline_curve(visible.polyline(i, size / 5000)), is_arc ? "#d62728" : "#e0a000", is_arc ? 4 : 1.5);
+    }
+    picture.point(viewpoint, "black", 9);
+
+    std::cout << curves.size() << " curves; seen are " << arcs << " arcs, with " << segments << " segments of rays between them";
+    if (visible.is_complete()) {
+      const auto [lower, upper] = visible.area();
+      std::cout << ", area " << SC::to_nearest_double(lower) << " (bounds differ by " << SC::to_nearest_double(SC::Exact_rational(upper - lower)) << ')';
+    }
+    std::cout << "; complete: " << (visible.is_complete() ? "yes" : "no") << '\n';
+    return visible.is_complete() ? 0 : 3;
+  } catch (const SC::Invalid_input& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}
