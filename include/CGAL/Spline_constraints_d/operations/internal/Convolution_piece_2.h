@@ -191,7 +191,7 @@ public:
       const auto &a = p.m_ends[p_end].joints[region], &b = q.m_ends[q_end].joints[region];
       return a && b && *a == *b && p.m_elements[1 - region] == q.m_elements[1 - region] && p.element(1 - region).turn != Turn::STRAIGHT;
     };
-    return (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1);
+    return (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1) || (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) || (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
   }
 
 private:
@@ -206,6 +206,14 @@ private:
       append_place(point, {part.middle(), part.end}, place);
     } else
       place = place ? united(*place, part) : part;
+  }
+
+  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements have once.
+  static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end, std::size_t region)
+  {
+    const Region_element &a = p.element(region), &b = q.element(region);
+    const auto &d = p.end(p_end).direction, &e = q.end(q_end).direction;
+    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin == 1 - b.range.end && a.range.end == 1 - b.range.begin && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
   }
 
   // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one point, that of the first one.
