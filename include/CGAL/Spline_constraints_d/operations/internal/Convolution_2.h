@@ -222,7 +222,7 @@ private:
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 2048;
+    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 0x1p17;
     std::vector<Range> convex, unknown{piece.range()};
     bool is_shorter = true;   // not where the sum of the curvatures is zero all along; only slowly near points with the same tangent as an inflection of both regions
     for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {

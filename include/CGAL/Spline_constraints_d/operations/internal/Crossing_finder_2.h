@@ -41,7 +41,7 @@ class Crossing_finder_2
 {
   using Part = Traced_curve_2::Part;
   using Pair = std::array<const Part*, 2>;
-  static constexpr std::size_t most_steps = 4000, most_pairs = 256;   // more are next to each other only where curves touch
+  static constexpr std::size_t most_steps = 4000, most_pairs = 2048;   // more are next to each other only where curves touch
   static constexpr double least_width = 0x1p-44;
 
   std::array<Traced_view_2, 2> m_views;
