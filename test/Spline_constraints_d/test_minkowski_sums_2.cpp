@@ -254,15 +254,73 @@ TEST(minkowski_sums_2, curved_regions_and_rigid_motions)
     EXPECT_LT(distance(motion(p), boundary), 5e-3);
 }
 
-TEST(minkowski_sums_2, what_is_not_decided)
+Region square(double size, double x = 0, double y = 0) { return polygon({{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}}); }
+
+Region united(const Region& a, const Region& b)
 {
-  // The hole shrinks to a point, where all of the convolution is.
-  const Region ring(Curves{circle(0, 0, 5), circle(0, 0, 2)});
-  const Sum sum = SC::minkowski_sum(ring, disk(2));
-  EXPECT_FALSE(sum.is_complete());
-  EXPECT_FALSE(sum.undecided().empty());
-  ASSERT_FALSE(sum.boundaries().empty());
-  EXPECT_TRUE(sum.boundaries()[0].is_closed);
+  Curves curves = a.curves();
+  curves.insert(curves.end(), b.curves().begin(), b.curves().end());
+  return SC::planar_region(curves);
+}
+
+// Slots and holes that are exactly as wide as what is moved through them close: their sides become the same.
+TEST(minkowski_sums_2, slots_that_close)
+{
+  const Region slot = polygon({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const Sum closed = SC::minkowski_sum(slot, square(1)), open = SC::minkowski_sum(slot, square(0.5)), round = SC::minkowski_sum(slot, disk(0.5));
+  expect_complete(closed, 1, 0);
+  EXPECT_EQ(area(closed), 16);
+  EXPECT_TRUE(CGAL::certainly(closed.has_in_interior(Point(1.9375, 3.5))));
+  expect_complete(open, 1, 0);
+  EXPECT_EQ(area(open), 3.5 * 3.5 - 1);
+  expect_complete(round, 1, 0);
+  EXPECT_NEAR(area(round), 9 + 12 * 0.5 + CGAL_PI / 4 - (0.5 - CGAL_PI / 8), 1e-4);   // of the hull, without what is between two quarters of a disk above the slot
+  const Region turned = SC::planar_region(slot.curves()[0].transformed(CGAL::Aff_transformation_2<K>(3, -4, 4, 3)));   // five times as large, and turned
+  const Sum also_round = SC::minkowski_sum(turned, disk(2.5));
+  expect_complete(also_round, 1, 0);
+  EXPECT_NEAR(area(also_round), 25 * area(round), 1e-2);
+}
+
+TEST(minkowski_sums_2, holes_that_close)
+{
+  const auto frame = [](double width) { return united(square(4), polygon({{1, 1}, {1 + width, 1}, {1 + width, 2}, {1, 2}})); };
+  for (const double width : {1.0, 2.0}) {   // to a point, and to a segment
+    const Sum sum = SC::minkowski_sum(frame(width), square(1));
+    expect_complete(sum, 1, 0);
+    EXPECT_EQ(area(sum), 25);
+  }
+  const Sum open = SC::minkowski_sum(frame(1), square(0.5));
+  expect_complete(open, 2, 1);
+  EXPECT_EQ(area(open), 4.5 * 4.5 - 0.25);
+  const Sum round = SC::minkowski_sum(Region(Curves{circle(0, 0, 5), circle(0, 0, 2)}), disk(2));
+  expect_complete(round, 1, 0);
+  EXPECT_NEAR(area(round), 49 * CGAL_PI, 1e-3);
+}
+
+// Parts that touch in a point stay apart, and those that touch along a segment become one.
+TEST(minkowski_sums_2, parts_that_touch)
+{
+  const Sum corners = SC::minkowski_sum(united(square(1), square(1, 2, 2)), square(1)), sides = SC::minkowski_sum(united(square(1), square(1, 2, 0.5)), square(1));
+  expect_complete(corners, 2, 0);
+  EXPECT_EQ(area(corners), 8);
+  expect_complete(sides, 1, 0);
+  EXPECT_EQ(area(sides), 8);
+  for (const Point& p : {Point(10, 0), Point(6, 8)}) {   // on an axis, where arcs end, and not
+    const Sum disks = SC::minkowski_sum(SC::planar_region(Curves{circle(0, 0, 4), circle(p.x(), p.y(), 4)}), disk(1));
+    expect_complete(disks, 2, 0);
+    EXPECT_NEAR(area(disks), 50 * CGAL_PI, 2e-3);
+  }
+}
+
+// Regions with a common reflex part: each arc of the sum of two different points is there twice.
+TEST(minkowski_sums_2, equal_regions)
+{
+  for (const Region& region : {letter(), polygon({{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}})}) {
+    const Sum sum = SC::minkowski_sum(region, region);
+    expect_complete(sum, 1, 0);
+    expect_origins(region, region, sum);
+  }
+  EXPECT_EQ(area(SC::minkowski_sum(letter(), letter())), 152.2);
 }
 
 TEST(minkowski_sums_2, bad_input)

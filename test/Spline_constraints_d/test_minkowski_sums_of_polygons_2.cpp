@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -69,6 +71,50 @@ TEST(minkowski_sums_of_polygons_2, random_polygons)
   for (int trial = 0; trial < 12; ++trial)
     sums_with_reflex_corners += !expect_sum_of_CGAL(star(random, 5 + trial), star(random, 3 + trial / 2)).outer_boundary().is_convex();
   EXPECT_GT(sums_with_reflex_corners, 6);
+}
+
+// With small integer coordinates many sides are parallel, coincide, or end in others.
+TEST(minkowski_sums_of_polygons_2, lattice_polygons)
+{
+  std::mt19937 random(5);
+  const auto lattice_polygon = [&](int n, int size) {
+    for (;;) {
+      CGAL::Polygon_2<K> result;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 2 * CGAL_PI * i / n, length = 1 + static_cast<double>(random() % 64) / 64 * size;
+        result.push_back(K::Point_2(std::round(length * std::cos(angle)), std::round(length * std::sin(angle))));
+      }
+      if (std::adjacent_find(result.begin(), result.end()) == result.end() && *result.begin() != *(result.end() - 1) && result.is_simple() && result.is_counterclockwise_oriented())
+        return result;
+    }
+  };
+  int reflex = 0;
+  for (int trial = 0; trial < 24; ++trial)
+    reflex += !expect_sum_of_CGAL(lattice_polygon(5 + trial % 8, 4), lattice_polygon(3 + trial % 5, 2)).outer_boundary().is_convex();
+  EXPECT_GT(reflex, 8);
+}
+
+// Comb-like polygons with teeth and gaps of integer width: sides of gaps become the same.
+TEST(minkowski_sums_of_polygons_2, combs)
+{
+  std::mt19937 random(7);
+  const auto comb = [&] {
+    std::vector<K::Point_2> points;
+    double x = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double top = 2.0 + random() % 3, width = 1.0 + random() % 2, bottom = 1.0 - random() % 2 * 0.5;
+      for (const auto& [dx, y] : {std::pair(0.0, bottom), std::pair(0.0, top), std::pair(1.0, top), std::pair(1.0, bottom)})
+        points.emplace_back(x + dx, y);
+      x += 1 + width;
+    }
+    points.emplace_back(points.back().x(), 0);
+    points.emplace_back(0, 0);
+    CGAL::Polygon_2<K> result(points.begin(), points.end());
+    result.reverse_orientation();
+    return result;
+  };
+  for (int trial = 0; trial < 10; ++trial)
+    expect_sum_of_CGAL(comb(), comb());
 }
 
 TEST(minkowski_sums_of_polygons_2, hole)

@@ -121,6 +121,43 @@ TEST(SweptAreas, AlongCubics)
   EXPECT_GT(outside, 20);
 }
 
+TEST(SweptAreas, OfCurvesAlongCurves)
+{
+  expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);
+  expect_area(SC::swept_area(bezier({P(0, 0), P(1, 2), P(2, 0)}), segment(P(0, 0), P(0, 1))), 2, 1);
+  expect_area(SC::swept_area(segment(P(0, 0), P(0, 1)), circle(3)), 6 + 9 * CGAL_PI - (18 * std::acos(1 / 6.0) - 0.5 * std::sqrt(35)), 2);   // of the hull of the disks in both places, without what they have in common
+  const Sum flat = SC::swept_area(segment(P(0, 0), P(1, 1)), segment(P(0, 0), P(2, 2)));
+  EXPECT_TRUE(flat.is_complete());
+  EXPECT_TRUE(flat.boundaries().empty());
+}
+
+// Sums of points of both are not outside, and points far from all of them are. Boundaries are closed, even where it is not decided whether there are more.
+TEST(SweptAreas, OfArcsAlongCubics)
+{
+  std::mt19937 random(3);
+  int outside = 0;
+  for (int run = 0; run < 4; ++run) {
+    const std::vector<P> points = random_points(random, 4);
+    const Curve path = bezier(points), arc = bezier({P(0, 0), P(1, 2), P(2.5, 0.5)});
+    const Sum sum = SC::swept_area(arc, path);
+    EXPECT_FALSE(sum.boundaries().empty());
+    for (const auto& boundary : sum.boundaries())
+      EXPECT_TRUE(boundary.is_closed);
+    std::vector<P> sums;
+    for (int i = 0; i <= 40; ++i)
+      for (int k = 0; k <= 40; ++k)
+        sums.push_back(arc(i / 40.0) + (path(k / 40.0) - CGAL::ORIGIN));
+    for (std::size_t i = 0; i < sums.size(); i += 67)
+      EXPECT_FALSE(CGAL::certainly_not(sum.has_in_interior(sums[i])));
+    for (const P& p : random_points(random, 30))
+      if (std::all_of(sums.begin(), sums.end(), [&](const P& q) { return CGAL::squared_distance(p, q) > 1; })) {
+        EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(p)));
+        ++outside;
+      }
+  }
+  EXPECT_GT(outside, 20);
+}
+
 TEST(SweptAreas, BadInput)
 {
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(0, 0)})), SC::Invalid_input);

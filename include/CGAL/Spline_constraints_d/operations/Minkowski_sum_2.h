@@ -11,7 +11,6 @@
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
-#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2.h>
@@ -20,7 +19,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -49,12 +47,12 @@ public:
     std::array<std::array<double, 2>, 2> parameters;    ///< of each curve, where the arc begins and ends
   };
 
-  //! a boundary, with the region on its left.
+  //! a boundary, with the region on its left. Where parts of the region touch in a point, they are apart: each boundary is one of the region near it, and may pass through a point twice. So a hole that touches the outer boundary is a part of this one, as in an arrangement.
   struct Boundary
   {
     std::vector<Arc> arcs;   ///< in order; each begins where the one before ends
     bool is_closed;          ///< whether the last arc ends where the first one begins; false only where something is not decided
-    bool is_hole;            ///< whether it is clockwise
+    bool is_hole;            ///< whether it is clockwise, as is proved by bounds of the area
   };
 
 private:
@@ -111,7 +109,7 @@ public:
   }
 
   /*!
-  points along an arc of a boundary, so many that it passes the middles of their chords at no more than a given distance.
+  points along an arc of a boundary, so many that their chords are proved to be no farther from the arc than a given distance, and the arc from them. An arc is halved at most 20 times.
   \param boundary the index of the boundary.
   \param arc the index of the arc there.
   \param error the distance; positive.
@@ -123,18 +121,19 @@ public:
     const Upward_rounding_guard guard;
     const Section& section = m_model->boundary.chains()[boundary].sections[arc];
     std::vector<Sample> result;
-    for (const auto& [t, place] : samples_along(section, error)) {
-      Sample sample{internal::kernel_object<Kernel, Point>(place), {}};
+    for (const Arc_point& place : samples_along(section, error)) {
+      Sample sample{internal::kernel_object<Kernel, Point>(place.middle()), {}};
       for (std::size_t k = 0; k < 2; ++k)
-        sample.parameters[k] = origin(section, k, t).second;
+        sample.parameters[k] = origin(section, k, place.parameter).second;
       result.push_back(sample);
     }
     return result;
   }
 
   /*!
-  polygons next to the sum: the closed boundaries as polylines, holes with the innermost polygon that they are in. Boundaries that are not closed are left out, and holes of those.
-  \param error the error of the polylines, which do not meet if it is small enough; positive.
+  polygons next to the sum: the closed boundaries as polylines, holes with the innermost polygon that they are in. Boundaries that are not closed are left out, and holes of those. Boundaries that touch themselves do so in a point
+  that is a vertex of the polygon twice, up to rounding.
+  \param error the error of the polylines, as of `polyline()`, up to rounding in vertices between arcs; positive. They do not meet otherwise if it is small enough.
   \throws Invalid_input when the error is not positive.
   */
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
@@ -182,15 +181,9 @@ private:
     return (region == 0 ? m_model->first : m_model->second).origin(piece.element(region).arc, piece.parameters(t)[region]);
   }
 
-  Double_point point(const Section& section, double t) const
-  {
-    const internal::Interval_pair p = m_model->boundary.piece(section)({t, t}).point;
-    return {p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2};
-  }
-
   Boundary boundary(const Chain& chain) const
   {
-    Boundary result{{}, chain.is_closed, false};
+    Boundary result{{}, chain.is_closed, chain.is_clockwise};
     for (const Section& section : chain.sections) {
       Arc arc;
       for (std::size_t k = 0; k < 2; ++k) {
@@ -200,18 +193,7 @@ private:
       }
       result.arcs.push_back(arc);
     }
-    result.is_hole = chain.is_closed && is_clockwise(points_along(chain, std::numeric_limits<double>::infinity()));
     return result;
-  }
-
-  static bool is_clockwise(const std::vector<Double_point>& points)
-  {
-    double area = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Double_point &p = points[i], &q = points[(i + 1) % points.size()];
-      area += (p[0] - points[0][0]) * (q[1] - points[0][1]) - (q[0] - points[0][0]) * (p[1] - points[0][1]);
-    }
-    return area < 0;
   }
 
   // Without the ends of the sections, where the next ones begin.
@@ -219,25 +201,46 @@ private:
   {
     std::vector<Double_point> result;
     for (const Section& section : chain.sections) {
-      for (const auto& [t, place] : samples_along(section, error))
-        result.push_back(place);
+      for (const Arc_point& sample : samples_along(section, error))
+        result.push_back(sample.middle());
       if (chain.is_closed || &section != &chain.sections.back())
         result.pop_back();
     }
     return result;
   }
 
-  // Parameters and points.
-  using Samples = std::vector<std::pair<double, Double_point>>;
-
-  Samples samples_along(const Section& section, double error) const
+  // A point of an arc, and a direction of its tangent there.
+  struct Arc_point
   {
-    const auto sample = [&](double t) { return Samples::value_type{t, point(section, t)}; };
-    const auto between = [&](const auto& from, const auto& to) { return sample(from.first / 2 + to.first / 2); };
-    const auto is_chord = [&](const auto& from, const auto& middle, const auto& to) { return internal::distance_from_middle(from.second, middle.second, to.second) <= error; };
-    Samples result{sample(section.range.begin)};
-    internal::append_samples(result, sample(section.range.end), between, is_chord);
+    double parameter;
+    internal::Interval_pair point, direction;
+
+    Double_point middle() const { return {point[0].inf() / 2 + point[0].sup() / 2, point[1].inf() / 2 + point[1].sup() / 2}; }
+  };
+
+  std::vector<Arc_point> samples_along(const Section& section, double error) const
+  {
+    constexpr internal::Halvings halvings{2, 20};
+    const internal::Convolution_piece_2& piece = m_model->boundary.piece(section);
+    const auto sample = [&](double t) { return Arc_point{t, piece({t, t}).point, piece.direction({t, t})}; };
+    const auto between = [&](const Arc_point& from, const Arc_point& to) { return sample(from.parameter / 2 + to.parameter / 2); };
+    const auto is_chord = [&](const Arc_point& from, const Arc_point&, const Arc_point& to) { return chord_error(piece, from, to) <= error; };
+    std::vector<Arc_point> result{sample(section.range.begin)};
+    internal::append_samples(result, sample(section.range.end), between, is_chord, halvings);
     return result;
+  }
+
+  /*
+  A bound of the distance between a chord and its part of an arc, either way. This turns to one side, by an angle a, so it is in a triangle of the chord and both tangents, with a height of at most tan(a / 2) times half of the chord.
+  Near an inflection it is a bound of the size of that part.
+  */
+  static double chord_error(const internal::Convolution_piece_2& piece, const Arc_point& from, const Arc_point& to)
+  {
+    using internal::operator-;
+    if (!piece.is_convex())
+      return internal::diameter(piece({from.parameter, to.parameter}).point).sup();
+    const internal::Interval half_chord = CGAL::sqrt(internal::squared_norm(to.point - from.point)) / internal::Interval(2);
+    return (half_chord * CGAL::abs(internal::tangent_of_half_angle(from.direction, to.direction)) + internal::diameter(from.point) + internal::diameter(to.point)).sup();
   }
 };
 

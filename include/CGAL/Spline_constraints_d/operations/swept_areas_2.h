@@ -59,6 +59,22 @@ Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const 
   return {region.loops(), internal::both_sides(path)};
 }
 
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of areas. `Minkowski_sum_2::is_complete()` may be false where one curve begins to follow an envelope inside of the result.
+
+\param curve the curve.
+\param path the other curve. The index of each is zero in the arcs of the result.
+\throws Invalid_input as above.
+*/
+template <ParametricCurve_2 Curve, ParametricCurve_2 Path>
+  requires std::same_as<typename Curve::Kernel, typename Path::Kernel>
+Minkowski_sum_2<typename Curve::Kernel> swept_area(const Curve& curve, const Path& path)
+{
+  return {internal::both_sides(curve), internal::both_sides(path)};
+}
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

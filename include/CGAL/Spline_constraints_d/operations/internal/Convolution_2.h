@@ -143,9 +143,10 @@ private:
       else
         return;
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
-    if (b.turn == Turn::RIGHT && !a.is_corner)
-      add_convex_parts(piece);
-    else
+    if (b.turn == Turn::RIGHT && !a.is_corner) {
+      if (!piece.is_point())
+        add_convex_parts(piece);
+    } else
       m_pieces.push_back(piece);
   }
 
@@ -163,6 +164,7 @@ private:
       if (here.sign != inside && there.sign != inside)
         return std::nullopt;
       result.range = {end, end};
+      result.direction = b.exact_directions[e];
       set_joint(1 - turning, static_cast<int>(e));
       for (std::size_t k = 0; k < 2; ++k)
         if (side(turning, a, k, b, e).is_tie)
@@ -171,6 +173,7 @@ private:
     }
     if (there.sign != inside || there.is_tie)
       return std::nullopt;
+    result.direction = a.exact_directions[limit];
     result.range = parameter_of_direction(m_regions[1 - turning]->arcs()[b.arc], b.range, a.directions[limit], e == 0 ? -here.sign : here.sign);
     set_joint(turning, static_cast<int>(limit));
     return result;
@@ -205,8 +208,10 @@ private:
     if (first < 0 || last < 0)
       return;
     std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
-    for (std::size_t e = 0; e < 2; ++e)
+    for (std::size_t e = 0; e < 2; ++e) {
+      ends[e].direction = b.exact_directions[e];
       ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
+    }
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
     if (first > 0 && last > 0 && certain_sign(dot(piece(b.range).tangent, jet[1])) > 0)
       m_pieces.push_back(piece);
@@ -217,10 +222,10 @@ private:
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95;
+    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 0x1p17;
     std::vector<Range> convex, unknown{piece.range()};
-    bool is_shorter = true;   // not where the sum of the curvatures is zero all along
-    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width; width *= ratio) {
+    bool is_shorter = true;   // not where the sum of the curvatures is zero all along; only slowly near points with the same tangent as an inflection of both regions
+    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
         append_by_sign(piece, range, width, convex, parts);

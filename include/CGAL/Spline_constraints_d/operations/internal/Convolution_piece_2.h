@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_PIECE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_PIECE_2_H
 
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Traced_curve_2.h>
 
@@ -17,11 +18,26 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// Whether two vectors have the same direction.
+inline bool are_parallel(const Exact_pair& a, const Exact_pair& b) { return sign_of(exact_cross(a, b)) == 0 && sign_of(exact_dot(a, b)) > 0; }
+
+// The tangent of half of the angle between two directions.
+inline Interval tangent_of_half_angle(const Interval_pair& a, const Interval_pair& b) { return cross(a, b) / (CGAL::sqrt(squared_norm(a) * squared_norm(b)) + dot(a, b)); }
+
+// The diagonal of a box.
+inline Interval diameter(const Interval_pair& box)
+{
+  const auto width = [](const Interval& x) { return Interval(x.sup()) - Interval(x.inf()); };
+  return CGAL::sqrt(CGAL::square(width(box[0])) + CGAL::square(width(box[1])));
+}
+
 // An end of a piece: a range that the parameter is in, and the joints of the elements of both regions that it is at.
 struct Convolution_end
 {
   Range range;
   std::array<std::optional<std::size_t>, 2> joints;
+  std::optional<Exact_pair> direction{};   // of the piece, in the exact end; not where a piece is cut somewhere near a cusp
+  std::optional<Exact_pair> point{};       // if it is found to be rational
 };
 
 /*
@@ -43,6 +59,83 @@ public:
   Range range() const { return {m_ends[0].range.begin, m_ends[1].range.end}; }
   Range inner_range() const { return {m_ends[0].range.end, m_ends[1].range.begin}; }
 
+  const Convolution_end& end(int e) const { return m_ends[static_cast<std::size_t>(e)]; }
+  bool has_corner() const { return element(m_turning).is_corner; }
+  const Site_arc_2& turning_arc() const { return arc(m_turning); }
+  const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
+  bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
+
+  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents.
+  bool is_point() const
+  {
+    const auto &a = turning_arc().circle(), &b = moving_arc().circle();
+    return !has_corner() && element(1 - m_turning).turn == Turn::RIGHT && a && b && a->second == b->second;
+  }
+
+  bool is_circular() const { return moving_arc().circle() && (has_corner() || turning_arc().circle()); }
+
+  // Whether it turns to one side, by at most 45 degrees, or not at all.
+  bool is_convex() const { return element(1 - m_turning).turn != Turn::UNKNOWN; }
+
+  // Both parts, cut where the parameter is a rational number within the inner range.
+  std::array<Convolution_piece_2, 2> split(const Exact_rational& t, const Exact_pair& point) const
+  {
+    const auto [below, above] = to_double_interval(t);
+    const Convolution_end end{{below, above}, {}, moving_arc().direction_at(t), point};
+    std::array<Convolution_piece_2, 2> result{*this, *this};
+    result[0].m_ends[1] = result[1].m_ends[0] = end;
+    return result;
+  }
+
+  // Finds rational points of ends.
+  void find_end_points()
+  {
+    for (Convolution_end& end : m_ends)
+      if (end.direction && !end.point)
+        if (const std::optional<Exact_rational> t = simple_number(end.range); t && are_parallel(*end.direction, moving_arc().direction_at(*t)))
+          end.point = exact_point(*t);
+  }
+
+  // The point where the parameter is this number, if the parameter of the turning arc there is found to be rational too.
+  std::optional<Exact_pair> exact_point(const Exact_rational& t) const
+  {
+    const Exact_pair b = moving_arc().at(t);
+    Exact_rational u(1);
+    if (!has_corner()) {
+      const Exact_pair direction = moving_arc().direction_at(t);
+      const std::optional<Exact_rational> candidate = simple_number(turning_parameter({interval_of(direction[0]), interval_of(direction[1])}));
+      if (!candidate || !are_parallel(direction, turning_arc().direction_at(*candidate)))
+        return std::nullopt;
+      u = *candidate;
+    }
+    const Exact_pair a = turning_arc().at(u);
+    return Exact_pair{Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])};
+  }
+
+  // The parameter of a rational point that is proved to be on the piece, between its ends.
+  std::optional<Exact_rational> parameter_of(const Exact_pair& point) const
+  {
+    const Interval_pair p{interval_of(point[0]), interval_of(point[1])};
+    std::optional<Range> place;
+    append_place(p, range(), place);
+    const Range inner = inner_range();
+    if (!place || !(inner.begin < place->end && place->begin < inner.end))
+      return std::nullopt;
+    const std::optional<Exact_rational> t = simple_number(*place);
+    if (!t || !(to_rational(inner.begin) < *t && *t < to_rational(inner.end)) || exact_point(*t) != point)
+      return std::nullopt;
+    return t;
+  }
+
+  // A rational number with few digits in a range. Where a number there is known to have a certain property, it is likely to be this one, if any.
+  static std::optional<Exact_rational> simple_number(const Range& range)
+  {
+    constexpr double most_width = 0x1p-12;
+    if (range.is_number())
+      return to_rational(range.begin);
+    return range.width() < most_width ? std::optional(simplest_rational_between(to_rational(range.begin), to_rational(range.end))) : std::nullopt;
+  }
+
   // A part, whose new ends are not at joints.
   Convolution_piece_2 restricted(const Range& range) const
   {
@@ -55,28 +148,32 @@ public:
   }
 
   /*
-  The point and the derivative. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
+  The point, the derivative and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
 
     1 + l^3 (b' x b'') / (a' x a'').
   */
   Traced_jet operator()(const Range& range) const
   {
     const Region_element &turning = element(m_turning), &moving = element(1 - m_turning);
-    const Curve_jet b = arc(1 - m_turning).jet(range, 2);
+    const Curve_jet b = moving_arc().jet(range, 2);
+    const Interval square = squared_norm(b[1]), curvature = moving.turn == Turn::STRAIGHT ? Interval(0) : cross(b[1], b[2]) / (square * CGAL::sqrt(square));
     if (turning.is_corner)
-      return {arc(m_turning).point({1, 1}) + b[0], b[1]};
-    const Curve_jet a = arc(m_turning).jet(turning_parameter(b[1]), 2);
+      return {turning_arc().point({1, 1}) + b[0], b[1], curvature};
+    const Curve_jet a = turning_arc().jet(turning_parameter(b[1]), 2);
     if (moving.turn == Turn::STRAIGHT)
-      return {a[0] + b[0], b[1]};
-    const Interval ratio = dot(a[1], b[1]) / squared_norm(b[1]), factor = Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
-    return {a[0] + b[0], factor * b[1]};
+      return {a[0] + b[0], b[1], curvature};
+    const Interval ratio = dot(a[1], b[1]) / square, factor = Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
+    return {a[0] + b[0], factor * b[1], curvature / factor};
   }
+
+  // Tangential to the piece.
+  Interval_pair direction(const Range& range) const { return moving_arc().jet(range, 1)[1]; }
 
   // The parameters of the arcs of both regions, about.
   std::array<double, 2> parameters(double t) const
   {
     std::array<double, 2> result{t, t};
-    result[m_turning] = element(m_turning).is_corner ? 1 : turning_parameter(arc(1 - m_turning).jet({t, t}, 1)[1]).middle();
+    result[m_turning] = has_corner() ? 1 : turning_parameter(moving_arc().jet({t, t}, 1)[1]).middle();
     return result;
   }
 
@@ -94,10 +191,31 @@ public:
       const auto &a = p.m_ends[p_end].joints[region], &b = q.m_ends[q_end].joints[region];
       return a && b && *a == *b && p.m_elements[1 - region] == q.m_elements[1 - region] && p.element(1 - region).turn != Turn::STRAIGHT;
     };
-    return (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1);
+    return (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1) || (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) || (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
   }
 
 private:
+  // Enlarges a range by the parts of another one that a point may be on.
+  void append_place(const Interval_pair& point, const Range& part, std::optional<Range>& place) const
+  {
+    constexpr double enough = 0x1p-40;
+    if (!may_meet(point, (*this)(part).point))
+      return;
+    if (part.width() > enough) {
+      append_place(point, {part.begin, part.middle()}, place);
+      append_place(point, {part.middle(), part.end}, place);
+    } else
+      place = place ? united(*place, part) : part;
+  }
+
+  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements have once.
+  static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end, std::size_t region)
+  {
+    const Region_element &a = p.element(region), &b = q.element(region);
+    const auto &d = p.end(p_end).direction, &e = q.end(q_end).direction;
+    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin == 1 - b.range.end && a.range.end == 1 - b.range.begin && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
+  }
+
   // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one point, that of the first one.
   std::optional<std::size_t> place(int end, std::size_t region) const
   {

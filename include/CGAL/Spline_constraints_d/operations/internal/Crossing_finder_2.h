@@ -12,21 +12,25 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline bool may_meet(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
-inline bool may_meet(const Interval_pair& a, const Interval_pair& b) { return may_meet(a[0], b[0]) && may_meet(a[1], b[1]); }
-
-// Ranges of the parameters of two curves: with exactly one common point, where they cross; or not decided.
+// Ranges of the parameters of two curves: with exactly one common point, where they cross; or not decided, with any number of them.
 struct Crossing_2
 {
   std::array<Range, 2> ranges;
   bool is_certain;
+};
+
+// A point in which both of two curves begin (0) or end (1).
+struct Common_end
+{
+  std::array<int, 2> ends;
+  bool is_tangential;   // whether the directions there are proved to be parallel or opposite
 };
 
 /*
@@ -37,32 +41,32 @@ class Crossing_finder_2
 {
   using Part = Traced_curve_2::Part;
   using Pair = std::array<const Part*, 2>;
-  static constexpr std::size_t most_steps = 4000, most_undecided = 64;
+  static constexpr std::size_t most_steps = 4000, most_pairs = 2048;   // more are next to each other only where curves touch
   static constexpr double least_width = 0x1p-44;
 
   std::array<Traced_view_2, 2> m_views;
-  std::optional<std::array<int, 2>> m_common_end;   // one curve goes on as the other one: which ends (0 or 1) are the same
+  std::vector<Common_end> m_common_ends;
   bool m_is_first_enough;
   std::vector<Crossing_2> m_crossings;
 
 public:
-  Crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::optional<std::array<int, 2>> common_end = std::nullopt, bool is_first_enough = false)
-    : m_views{first, second}, m_common_end(common_end), m_is_first_enough(is_first_enough)
+  Crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
+    : m_views{first, second}, m_common_ends(std::move(common_ends)), m_is_first_enough(is_first_enough)
   {}
 
-  // All crossings; or, on request, a certain one alone, if one is found. Where there are too many steps, one undecided crossing for all.
+  // All crossings other than common ends; or, on request, a certain one alone, if one is found. Undecided ones that are next to each other are one.
   std::vector<Crossing_2> operator()()
   {
-    const Pair whole{&m_views[0].curve().whole(), &m_views[1].curve().whole()};
-    std::deque<Pair> todo{whole};   // large parts first: what is certain is found before what has to be cut again and again
-    for (std::size_t steps = 0; !todo.empty() && !is_done(); ++steps) {
-      if (steps > most_steps || m_crossings.size() > most_undecided)
-        return {{{whole[0]->range(), whole[1]->range()}, false}};
+    std::deque<Pair> todo{{&m_views[0].curve().whole(), &m_views[1].curve().whole()}};   // large parts first: what is certain is found before what has to be cut again and again
+    for (std::size_t steps = 0; !todo.empty() && todo.size() <= most_pairs && steps <= most_steps && !is_done(); ++steps) {
       const Pair parts = todo.front();
       todo.pop_front();
       if (!are_separated(parts) && !are_joined(parts) && !solve_by_newton(parts))
         cut(parts, todo);
     }
+    if (!is_done())
+      for (const Pair& parts : todo)
+        add_undecided({parts[0]->range(), parts[1]->range()});
     return m_crossings;
   }
 
@@ -74,7 +78,7 @@ private:
   {
     const auto is_tiny = [&](std::size_t k) { return parts[k]->range().width() <= least_width; };
     if (is_tiny(0) && is_tiny(1)) {
-      m_crossings.push_back({{parts[0]->range(), parts[1]->range()}, false});
+      add_undecided({parts[0]->range(), parts[1]->range()});
       return;
     }
     const std::size_t k = is_tiny(0) || (!is_tiny(1) && extent(*parts[0]) < extent(*parts[1]));
@@ -122,16 +126,50 @@ private:
     });
   }
 
-  // Whether the parts are next to a common end, and go on along a common direction there.
+  void add_undecided(std::array<Range, 2> ranges)
+  {
+    for (std::size_t i = 0; i < m_crossings.size();)
+      if (const Crossing_2& other = m_crossings[i]; !other.is_certain && other.ranges[0].meets(ranges[0]) && other.ranges[1].meets(ranges[1])) {
+        for (const std::size_t k : {0, 1})
+          ranges[k] = united(ranges[k], other.ranges[k]);
+        m_crossings.erase(m_crossings.begin() + static_cast<std::ptrdiff_t>(i));
+        i = 0;
+      } else
+        ++i;
+    m_crossings.push_back({ranges, false});
+  }
+
+  // Whether the parts are next to a common end, which is all that they have in common.
   bool are_joined(const Pair& parts) const
   {
-    if (!m_common_end)
-      return false;
-    for (std::size_t k = 0; k < 2; ++k)
-      if (const Range &part = parts[k]->range(), &whole = m_views[k].curve().range(); (*m_common_end)[k] == 0 ? part.begin != whole.begin : part.end != whole.end)
-        return false;
-    const Interval_pair first = m_views[0].tangent(*parts[0]), second = m_views[1].tangent(*parts[1]), direction = unit_vector(middle_of(first)) + unit_vector(middle_of(second));
-    return certain_sign(dot(direction, first)) > 0 && certain_sign(dot(direction, second)) > 0;
+    return std::any_of(m_common_ends.begin(), m_common_ends.end(), [&](const Common_end& end) { return is_at_end(0, end.ends[0], parts) && is_at_end(1, end.ends[1], parts) && meet_nowhere_else(end, parts); });
+  }
+
+  bool is_at_end(std::size_t k, int end, const Pair& parts) const
+  {
+    const Range &part = parts[k]->range(), &whole = m_views[k].curve().range();
+    return end == 0 ? part.begin == whole.begin : part.end == whole.end;
+  }
+
+  /*
+  Two parts have one common point at most if they have no common directions; if they leave it to different sides of a line; or if they are tangential there and leave it to the same side, and the curvature of one is larger than that of the other one everywhere:
+  as graphs over a line, the sine of the angle of the direction is the integral of the curvature.
+  */
+  bool meet_nowhere_else(const Common_end& end, const Pair& parts) const
+  {
+    std::array<Interval_pair, 2> directions;   // from the end
+    std::array<Interval, 2> curvatures;
+    for (const std::size_t k : {0, 1}) {
+      const Interval_pair tangent = m_views[k].tangent(*parts[k]);
+      const Interval& curvature = parts[k]->curvature();
+      directions[k] = end.ends[k] == 0 ? tangent : Interval_pair{-tangent[0], -tangent[1]};
+      curvatures[k] = end.ends[k] == 0 ? curvature : -curvature;
+    }
+    if (certain_sign(cross(directions[0], directions[1])) != 0)
+      return true;
+    const std::array<Interval_pair, 2> units{unit_vector(middle_of(directions[0])), unit_vector(middle_of(directions[1]))};
+    const auto are_on_sides = [&](const Interval_pair& normal, int sign) { return certain_sign(dot(normal, directions[0])) == 1 && certain_sign(dot(normal, directions[1])) == sign; };
+    return are_on_sides(units[0] - units[1], -1) || (end.is_tangential && are_on_sides(units[0] + units[1], 1) && certain_sign(curvatures[0] - curvatures[1]) != 0);
   }
 
   // Returns whether it is decided if the parts cross.

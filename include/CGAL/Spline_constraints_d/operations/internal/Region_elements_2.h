@@ -80,6 +80,14 @@ public:
     return {curve, t == 1 ? ends[1] : std::clamp(ends[0] + t * (ends[1] - ends[0]), (std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1]))};
   }
 
+  // Whether an arc is another one in the opposite direction.
+  bool is_other_side(std::size_t arc, std::size_t other) const
+  {
+    const auto& [curve, ends] = m_origins[arc];
+    const auto& [other_curve, other_ends] = m_origins[other];
+    return curve == other_curve && ends[0] == other_ends[1] && ends[1] == other_ends[0];
+  }
+
 private:
   void add_loop(const Boundary_loop_2& loop)
   {
@@ -144,14 +152,6 @@ private:
       add_fan(before, d0, d1);
     else if (turn < 0)
       add({Turn::RIGHT, true, before, {1, 1}, {d0, d1}, {}});
-  }
-
-  // Whether an arc is another one in the opposite direction.
-  bool is_other_side(std::size_t arc, std::size_t other) const
-  {
-    const auto& [curve, ends] = m_origins[arc];
-    const auto& [other_curve, other_ends] = m_origins[other];
-    return curve == other_curve && ends[0] == other_ends[1] && ends[1] == other_ends[0];
   }
 
   static bool goes_on_as(const Region_element& a, const Region_element& b)

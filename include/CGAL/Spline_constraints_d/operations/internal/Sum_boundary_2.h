@@ -5,14 +5,18 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SUM_BOUNDARY_2_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Convolution_graph_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Crossing_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Vertex_classes.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Vertex_star_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,8 +28,8 @@ namespace internal {
 /*
 The boundary of the Minkowski sum of two regions, as sections of the pieces of their convolution.
 
-The pieces are cut where they cross. Then each section, together with those that it goes on as, is on the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can leave
-one only in a crossing. One point beside a section tells which.
+The pieces are cut where they cross, or touch. Then each section, together with those that it alone goes on as, is on the boundary as a whole, or inside of the sum as a whole: the boundary, which has no ends, is made of sections, and can leave
+one only in a vertex that others have too. One point beside a section tells which.
 */
 class Sum_boundary_2
 {
@@ -33,70 +37,105 @@ public:
   struct Section
   {
     std::size_t piece;
-    Range range;                                         // of the parameter of the piece; up to small ranges at the ends
-    std::array<std::optional<std::size_t>, 2> crossings; // at the begin and end, where these are not those of the piece
+    Range range;                             // of the parameter of the piece; up to small ranges at the ends
+    Range outer_range;                       // with these
+    std::array<std::size_t, 2> vertices{};   // at the begin and end
   };
 
   struct Chain
   {
     std::vector<Section> sections;
     bool is_closed;
+    bool is_clockwise = false;
   };
 
 private:
-  static constexpr int most_trials = 16;
+  static constexpr int most_trials = 16, most_rounds = 4;
   static constexpr double least_width = 0x1p-20;
 
-  const Convolution_2& m_convolution;
+  // A part of a piece where it meets others, with the number of the vertex.
+  struct Cut
+  {
+    Range range;
+    std::size_t vertex;
+    bool is_certain;
+  };
+
   const Sum_interior_2& m_interior;
-  std::vector<Traced_curve_2> m_curves;          // of the pieces
+  Convolution_graph_2 m_graph;
+  std::vector<Traced_curve_2> m_curves;        // of the pieces
   double m_size = 0;
-  std::vector<std::vector<std::pair<Range, std::size_t>>> m_cuts;   // of each piece, with the number of the crossing
-  std::size_t m_crossings = 0;
-  std::vector<Section> m_sections;
+  std::vector<std::vector<Cut>> m_cuts;        // of each piece, in order
+  Vertex_classes m_vertices{0};
   std::vector<Chain> m_chains;
   std::vector<Interval_pair> m_undecided;
 
 public:
-  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior) : m_convolution(convolution), m_interior(interior), m_cuts(convolution.pieces().size())
+  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior) : m_interior(interior), m_graph(convolution.pieces()), m_undecided(convolution.doubtful())
   {
-    for (const Convolution_piece_2& piece : convolution.pieces())
-      m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range());
-    m_undecided = convolution.doubtful();
-    m_size = size_of_all();
-    find_crossings();
-    const std::vector<Section> all = all_sections();
-    for (const Chain& chain : linked(all, &Sum_boundary_2::goes_on_as))
+    cut_pieces();
+    for (int round = 0; round < most_rounds && m_graph.split_at(possible_vertices()); ++round)
+      cut_pieces();
+    report_contacts();
+    std::vector<Section> sections;
+    for (const Chain& chain : linked(all_sections(), false))
       if (is_on_boundary(chain))
-        m_sections.insert(m_sections.end(), chain.sections.begin(), chain.sections.end());
-    m_chains = linked(m_sections, &Sum_boundary_2::is_followed_by);
+        sections.insert(sections.end(), chain.sections.begin(), chain.sections.end());
+    m_chains = linked(sections, true);
     check_chains();
   }
 
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Convolution_piece_2& piece(const Section& section) const { return m_convolution.pieces()[section.piece]; }
+  const Convolution_piece_2& piece(const Section& section) const { return m_graph.pieces()[section.piece]; }
 
   // Boxes with points that may be on the boundary and are not on the chains, or where these may not be the boundary.
   const std::vector<Interval_pair>& undecided() const { return m_undecided; }
 
 private:
+  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box)); }
+
+  // Finds all crossings and contacts of the pieces. What meets a piece in the same place is one vertex.
+  void cut_pieces()
+  {
+    m_curves.clear();
+    for (const Convolution_piece_2& piece : m_graph.pieces())
+      m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range());
+    m_size = size_of_all();
+    m_vertices = Vertex_classes(m_graph.number_of_vertices());
+    m_cuts.clear();
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+      const Range range = m_curves[i].range(), inner = m_curves[i].inner_range();
+      m_cuts.push_back({Cut{{range.begin, inner.begin}, m_graph.vertex(i, 0), true}, Cut{{inner.end, range.end}, m_graph.vertex(i, 1), true}});
+    }
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+      for (std::size_t j = i + 1; j < m_curves.size(); ++j)
+        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()))
+          for (const Crossing_2& crossing : Crossing_finder_2(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))())
+            add_crossing(i, j, crossing);
+    for (std::vector<Cut>& cuts : m_cuts)
+      merge(cuts);
+  }
+
   double size_of_all() const
   {
+    if (m_curves.empty())
+      return 0;
     Interval_pair box = m_curves.front().whole().box();
     for (const Traced_curve_2& curve : m_curves)
       box = hull(box, curve.whole().box());
     return (std::max)(box[0].sup() - box[0].inf(), box[1].sup() - box[1].inf());
   }
 
-  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box)); }
-
-  void find_crossings()
+  std::vector<Common_end> common_ends(std::size_t i, std::size_t j) const
   {
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
-      for (std::size_t j = i + 1; j < m_curves.size(); ++j)
-        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()))
-          for (const Crossing_2& crossing : Crossing_finder_2(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_end(i, j))())
-            add_crossing(i, j, crossing);
+    std::vector<Common_end> result;
+    for (const int d : {0, 1})
+      for (const int e : {0, 1})
+        if (m_graph.vertex(i, d) == m_graph.vertex(j, e)) {
+          const auto &a = m_graph.pieces()[i].end(d).direction, &b = m_graph.pieces()[j].end(e).direction;
+          result.push_back({{d, e}, a && b && sign_of(exact_cross(*a, *b)) == 0});
+        }
+    return result;
   }
 
   // Inside of the sum it does not matter what is not decided.
@@ -106,48 +145,66 @@ private:
       const Interval_pair p = m_curves[i](crossing.ranges[0]).point, q = m_curves[j](crossing.ranges[1]).point;
       if (!may_meet(p, q) || is_inside(common_part(p, q)))
         return;
-      m_undecided.push_back(common_part(p, q));
     }
-    m_cuts[i].emplace_back(crossing.ranges[0], m_crossings);
-    m_cuts[j].emplace_back(crossing.ranges[1], m_crossings);
-    ++m_crossings;
+    const std::size_t vertex = m_vertices.add();
+    m_cuts[i].push_back({crossing.ranges[0], vertex, crossing.is_certain});
+    m_cuts[j].push_back({crossing.ranges[1], vertex, crossing.is_certain});
   }
 
-  // The ends of two pieces that are the same, one of which goes on as the other one.
-  std::optional<std::array<int, 2>> common_end(std::size_t i, std::size_t j) const
+  // Cuts that are not told apart become one.
+  void merge(std::vector<Cut>& cuts)
   {
-    for (const int end : {0, 1})
-      if (Convolution_piece_2::are_same(m_convolution.pieces()[i], end, m_convolution.pieces()[j], 1 - end))
-        return std::array<int, 2>{end, 1 - end};
-    return std::nullopt;
+    std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.range.begin < b.range.begin; });
+    std::vector<Cut> result;
+    for (const Cut& cut : cuts)
+      if (!result.empty() && cut.range.begin <= result.back().range.end) {
+        m_vertices.join(result.back().vertex, cut.vertex);
+        result.back().range = united(result.back().range, cut.range);
+        result.back().is_certain = false;
+      } else
+        result.push_back(cut);
+    cuts = std::move(result);
   }
 
-  // The sections between cuts.
-  std::vector<Section> all_sections()
+  // Rational points of pieces where they may meet others.
+  std::vector<Exact_pair> possible_vertices() const
   {
-    std::vector<Section> result;
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-      auto& cuts = m_cuts[i];
-      std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first.begin < b.first.begin; });
-      const Range range = m_curves[i].inner_range();
-      Section section{i, range, {}};
-      for (const auto& [cut, crossing] : cuts) {
-        section.range.end = cut.begin;
-        section.crossings[1] = crossing;
-        add_section(section, result);
-        section = {i, {cut.end, range.end}, {crossing, std::nullopt}};
-      }
-      add_section(section, result);
-    }
+    std::vector<Exact_pair> result;
+    for_each_uncertain_cut([&](std::size_t i, const Cut& cut, const Interval_pair&) {
+      const Convolution_piece_2& piece = m_graph.pieces()[i];
+      const Range inner = piece.inner_range();
+      if (const auto t = Convolution_piece_2::simple_number(cut.range); t && to_rational(inner.begin) < *t && *t < to_rational(inner.end))
+        if (const auto point = piece.exact_point(*t))
+          result.push_back(*point);
+    });
     return result;
   }
 
-  void add_section(const Section& section, std::vector<Section>& sections)
+  void report_contacts()
   {
-    if (section.range.begin < section.range.end)
-      sections.push_back(section);
-    else if (const Interval_pair box = m_curves[section.piece]({section.range.end, section.range.begin}).point; !is_inside(box))   // crossings that are not told apart
-      m_undecided.push_back(box);
+    for_each_uncertain_cut([&](std::size_t, const Cut&, const Interval_pair& box) { m_undecided.push_back(box); });
+  }
+
+  template <class Function>
+  void for_each_uncertain_cut(const Function& function) const
+  {
+    for (std::size_t i = 0; i < m_cuts.size(); ++i)
+      for (const Cut& cut : m_cuts[i])
+        if (!cut.is_certain)
+          if (const Interval_pair box = m_curves[i](cut.range).point; !is_inside(box))
+            function(i, cut, box);
+  }
+
+  // The sections between cuts.
+  std::vector<Section> all_sections() const
+  {
+    std::vector<Section> result;
+    for (std::size_t i = 0; i < m_cuts.size(); ++i)
+      for (std::size_t k = 1; k < m_cuts[i].size(); ++k) {
+        const Cut &a = m_cuts[i][k - 1], &b = m_cuts[i][k];
+        result.push_back({i, {a.range.end, b.range.begin}, {a.range.begin, b.range.end}, {m_vertices.of(a.vertex), m_vertices.of(b.vertex)}});
+      }
+    return result;
   }
 
   // What is not decided is taken for a part of the boundary. Long sections tell more easily.
@@ -164,17 +221,19 @@ private:
 
   /*
   Whether the points on the right of a section are inside of the sum, as those on the left are: by a point so near that no other piece comes between. The piece itself does not, since its directions differ by less than
-  90 degrees from that in the middle of the section.
+  90 degrees from that in a point of the section. Points beside different places are tried, since the boundaries may touch for one.
   */
   CGAL::Uncertain<bool> has_inside_beside(const Section& section) const
   {
-    const double t = section.range.middle();
-    const auto [point, tangent] = m_curves[section.piece]({t, t});
-    const double x = tangent[0].inf(), y = tangent[1].inf(), length = std::hypot(x, y);
-    if (!(length > 0) || !std::isfinite(length))
-      return CGAL::Uncertain<bool>::indeterminate();
+    constexpr std::array<double, 4> places{0.5, 0.40625, 0.578125, 0.4609375};
     double distance = m_size / 128;
     for (int trial = 0; trial < most_trials; ++trial, distance /= 4) {
+      const double t = section.range.begin + places[static_cast<std::size_t>(trial) % places.size()] * section.range.width();
+      const Traced_jet jet = m_curves[section.piece]({t, t});
+      const Interval_pair& point = jet.point;
+      const double x = jet.tangent[0].inf(), y = jet.tangent[1].inf(), length = std::hypot(x, y);
+      if (!(length > 0) || !std::isfinite(length))
+        continue;
       const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
       bool is_free = true;
       for (std::size_t i = 0; is_free && i < m_curves.size(); ++i)
@@ -197,32 +256,27 @@ private:
     return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
   }
 
-  // Whether a section ends in an end of its piece, where another one begins.
-  bool goes_on_as(const Section& a, const Section& b) const { return !a.crossings[1] && !b.crossings[0] && Convolution_piece_2::are_same(piece(a), 1, piece(b), 0); }
-
-  // The same, or in a crossing.
-  bool is_followed_by(const Section& a, const Section& b) const { return (a.crossings[1] && a.crossings[1] == b.crossings[0]) || goes_on_as(a, b); }
-
-  // Sections one after the other. Where more than one may follow, none does.
-  std::vector<Chain> linked(const std::vector<Section>& sections, bool (Sum_boundary_2::*follows)(const Section&, const Section&) const) const
+  // Sections one after the other: where one alone ends and one alone begins; or, of the boundary, so that the region is between them.
+  std::vector<Chain> linked(const std::vector<Section>& sections, bool are_boundary) const
   {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     const std::size_t n = sections.size();
-    std::vector<std::size_t> next(n, none), ways_on(n, 0), ways_back(n, 0);
+    std::map<std::size_t, std::array<std::vector<std::size_t>, 2>> stars;   // of each vertex, the sections that begin there and those that end
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < n; ++k)
-        if ((this->*follows)(sections[i], sections[k])) {
-          next[i] = k;
-          ++ways_on[i];
-          ++ways_back[k];
-        }
-    for (std::size_t i = 0; i < n; ++i)
-      if (next[i] != none && (ways_on[i] > 1 || ways_back[next[i]] > 1))
-        next[i] = none;
+      for (const std::size_t e : {0, 1})
+        stars[sections[i].vertices[e]][e].push_back(i);
+    std::vector<std::size_t> next(n, none);
     std::vector<bool> has_previous(n, false), is_used(n, false);
-    for (std::size_t i = 0; i < n; ++i)
-      if (next[i] != none)
-        has_previous[next[i]] = true;
+    for (const auto& [vertex, star] : stars) {
+      const auto& [begins, ends] = star;
+      if (begins.size() != ends.size() || (begins.size() > 1 && !are_boundary))
+        continue;
+      if (const auto successors = begins.size() == 1 ? std::optional(std::vector<std::size_t>{0}) : Vertex_star_2(rays(sections, ends, 1), rays(sections, begins, 0)).successors())
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+          next[ends[k]] = begins[(*successors)[k]];
+          has_previous[next[ends[k]]] = true;
+        }
+    }
     std::vector<Chain> result;
     for (const bool is_closed : {false, true})
       for (std::size_t i = 0; i < n; ++i)
@@ -236,15 +290,79 @@ private:
     return result;
   }
 
-  // The boundary has no ends.
+  // How sections leave the vertex at their begin (0) or end (1): bounds for the range that it is in.
+  std::vector<Star_ray_2> rays(const std::vector<Section>& sections, const std::vector<std::size_t>& indices, std::size_t end) const
+  {
+    std::vector<Star_ray_2> result;
+    for (const std::size_t i : indices) {
+      const Range &range = sections[i].range, &outer = sections[i].outer_range;
+      const Traced_jet jet = m_curves[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
+      if (end == 0)
+        result.push_back({jet.tangent, jet.curvature});
+      else
+        result.push_back({{-jet.tangent[0], -jet.tangent[1]}, -jet.curvature});
+    }
+    return result;
+  }
+
+  // The boundary has no ends, and encloses some area.
   void check_chains()
   {
-    for (const Chain& chain : m_chains)
-      if (!chain.is_closed) {
-        const Section &first = chain.sections.front(), &last = chain.sections.back();
-        m_undecided.push_back(m_curves[first.piece]({first.range.begin, first.range.begin}).point);
-        m_undecided.push_back(m_curves[last.piece]({last.range.end, last.range.end}).point);
+    for (Chain& chain : m_chains) {
+      const Section &first = chain.sections.front(), &last = chain.sections.back();
+      if (!chain.is_closed)
+        for (const auto& [section, t] : {std::pair(&first, first.range.begin), std::pair(&last, last.range.end)})
+          m_undecided.push_back(m_curves[section->piece]({t, t}).point);
+      else if (const int sign = sign_of_area(chain); sign != 0)
+        chain.is_clockwise = sign < 0;
+      else
+        m_undecided.push_back(m_curves[first.piece](first.range).point);
+    }
+  }
+
+  int sign_of_area(const Chain& chain) const
+  {
+    constexpr int most_parts = 1024;
+    int result = 0;
+    for (int parts = 1; result == 0 && parts <= most_parts; parts *= 4)
+      result = certain_sign(twice_area(chain, parts));
+    return result;
+  }
+
+  // The area of the polygon of points of a closed chain, with some parts of each section, and of what is between it and the chain.
+  Interval twice_area(const Chain& chain, int parts) const
+  {
+    const Section& first = chain.sections.front();
+    const Interval_pair vertex = m_curves[first.piece]({first.outer_range.begin, first.range.begin}).point;
+    const Interval_pair origin{Interval(vertex[0].inf()), Interval(vertex[1].inf())};
+    Interval result(0);
+    for (const Section& section : chain.sections) {
+      const Range &range = section.range, &outer = section.outer_range;
+      Range last{outer.begin, range.begin};   // the vertex is anywhere there
+      const auto add_chord_to = [&](const Range& next) {
+        const Interval_pair a = m_curves[section.piece](last).point, b = m_curves[section.piece](next).point;
+        result += cross(a - origin, b - origin) + twice_area_of_segment(section.piece, last, next);
+        last = next;
+      };
+      for (int k = 0; k < parts; ++k) {
+        const double t = range.begin + static_cast<double>(k) / parts * range.width();
+        add_chord_to({t, t});
       }
+      add_chord_to({range.end, range.end});
+      add_chord_to({range.end, outer.end});
+    }
+    return result;
+  }
+
+  // Between a chord and its part of a piece, positive if this turns to the left: at most that of the triangle of the chord and both tangents.
+  Interval twice_area_of_segment(std::size_t index, const Range& from, const Range& to) const
+  {
+    const Convolution_piece_2& piece = m_graph.pieces()[index];
+    const Traced_curve_2& curve = m_curves[index];
+    if (!piece.is_convex())
+      return Interval(-2, 2) * CGAL::square(diameter(curve(united(from, to)).point));
+    const Interval squared_chord = squared_norm(curve(to).point - curve(from).point);
+    return hull(Interval(0), squared_chord / Interval(2) * tangent_of_half_angle(piece.direction(from), piece.direction(to)));
   }
 };
 

@@ -35,7 +35,7 @@ public:
         m_arcs[k].emplace_back(
           [&arc](const Range& range) {
             const Curve_jet jet = arc.jet(range, 1);
-            return Traced_jet{jet[0], jet[1]};
+            return Traced_jet{jet[0], jet[1], Interval(0)};   // curvatures are not needed
           },
           Range{0, 1}, Range{0, 1});
   }
@@ -49,7 +49,7 @@ public:
         const Traced_view_2 first(a), second(b, p);
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
-        for (const Crossing_2& crossing : Crossing_finder_2(first, second, std::nullopt, true)())
+        for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
           if (crossing.is_certain)
             return true;
           else

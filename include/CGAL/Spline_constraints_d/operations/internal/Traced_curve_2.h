@@ -16,10 +16,14 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A point of a curve and its derivative, or enclosures of them over a range.
+inline bool may_meet(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
+inline bool may_meet(const Interval_pair& a, const Interval_pair& b) { return may_meet(a[0], b[0]) && may_meet(a[1], b[1]); }
+
+// A point of a curve, its derivative and its curvature, if needed, or enclosures of them over a range.
 struct Traced_jet
 {
   Interval_pair point, tangent;
+  Interval curvature;
 };
 
 /*
@@ -45,6 +49,7 @@ public:
     const Interval_pair& middle_point() const { return m_middle_point; }
     const Interval_pair& box() const { return m_jet.point; }
     const Interval_pair& tangent() const { return m_jet.tangent; }
+    const Interval& curvature() const { return m_jet.curvature; }
   };
 
 private:
