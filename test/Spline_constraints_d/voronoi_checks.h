@@ -75,7 +75,7 @@ inline Counts counts(const Diagram& diagram)
 }
 
 // Every sample has its radius as the distance from both sites, and nothing is nearer than that: not even one of many points on all curves.
-inline void expect_empty_disks(const Diagram& diagram, const Curves& curves)
+inline void expect_empty_disks(const Diagram& diagram, const Curves& curves, double error = 0.01, double most_radius = 100)
 {
   std::vector<P> points;
   for (const auto& site : diagram.sites()) {
@@ -85,7 +85,7 @@ inline void expect_empty_disks(const Diagram& diagram, const Curves& curves)
   }
   std::size_t samples = 0;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
-    for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
+    for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       ++samples;
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];

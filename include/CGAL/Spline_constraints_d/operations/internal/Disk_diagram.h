@@ -118,7 +118,7 @@ public:
   {
     const Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind != Disk_contact::Kind::ARC)
+    if (contact.kind != Disk_contact::Kind::ARC || stretch(part).located(u).corner.is_at(u))
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
     const auto width = [](const Interval& k) { return k.sup() - k.inf(); };

@@ -33,7 +33,13 @@ struct Corner_of_disks
 {
   double parameter = 0, least = 0;
 
-  double least_curvature(double u) const { return least > 0 ? (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf() : -std::numeric_limits<double>::infinity(); }
+  bool is_at(double u) const { return least > 0 && u == parameter; }
+
+  double least_curvature(double u) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return !(least > 0) ? -infinity : is_at(u) ? infinity : (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf();
+  }
 };
 
 // A contact, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some numbers.
