@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,13 @@ void expect_invalid(const Call& call, const std::string& fragment)
   } catch (const CGAL::Spline_constraints::Invalid_input& error) {
     EXPECT_NE(std::string(error.what()).find(fragment), std::string::npos) << error.what();
   }
+}
+
+// The number of edges of a kind in a boundary.
+template <class Boundary, class Kind>
+std::size_t count_edges(const Boundary& boundary, Kind kind)
+{
+  return static_cast<std::size_t>(std::count_if(boundary.edges().begin(), boundary.edges().end(), [=](const auto& edge) { return edge.kind == kind; }));
 }
 
 // Seeded random exact knots, points, weights and parameters.

@@ -38,11 +38,6 @@ Curve circle(double x, double y, double radius) { return SC::circle_curve(Point(
 Curve moved(const Curve& curve, double x, double y) { return curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, Vector(x, y))); }
 Curve kidney() { return Curve::from_periodic(3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {4, 0}, {4, 3}, {2, 1}, {2, 4}, {0, 5}, {-1, 2}}); }
 
-std::size_t count(const Hull& hull, Kind kind)
-{
-  return static_cast<std::size_t>(std::count_if(hull.edges().begin(), hull.edges().end(), [=](const auto& edge) { return edge.kind == kind; }));
-}
-
 // Edges follow each other, and turn left all along.
 void expect_convex_cycle(const Hull& hull)
 {
@@ -64,8 +59,8 @@ void expect_complete(const Hull& hull, std::size_t arcs, std::size_t segments)
 {
   EXPECT_TRUE(hull.is_complete());
   EXPECT_TRUE(hull.summary().is_complete);
-  EXPECT_EQ(count(hull, Kind::ARC), arcs);
-  EXPECT_EQ(count(hull, Kind::SEGMENT), segments);
+  EXPECT_EQ(count_edges(hull, Kind::ARC), arcs);
+  EXPECT_EQ(count_edges(hull, Kind::SEGMENT), segments);
   expect_convex_cycle(hull);
 }
 
@@ -147,13 +142,13 @@ TEST(convex_hulls_2, disks)
   const double r = 1, R = 2, d = 6, angle = std::asin((R - r) / d);   // of the segments with the line of the centers
   const Hull belt = SC::convex_hull(Curves{circle(0, 0, r), circle(0, d, R)});
   EXPECT_TRUE(belt.is_complete());
-  EXPECT_EQ(count(belt, Kind::SEGMENT), 2u);
+  EXPECT_EQ(count_edges(belt, Kind::SEGMENT), 2u);
   expect_convex_cycle(belt);
   expect_area(belt, (pi / 2 + angle) * R * R + (pi / 2 - angle) * r * r + (R + r) * d * std::cos(angle));
 
   const Hull cap = SC::convex_hull(Curves{circle(0, 0, 3)}, {Point(5, 0), Point(1, 1), Point(3, 0)});
   EXPECT_TRUE(cap.is_complete());
-  EXPECT_EQ(count(cap, Kind::SEGMENT), 2u);
+  EXPECT_EQ(count_edges(cap, Kind::SEGMENT), 2u);
   expect_area(cap, 9 * (pi - std::acos(0.6)) + 12);
 }
 
@@ -186,7 +181,7 @@ TEST(convex_hulls_2, drawings)
   for (const Curves& curves : {Curves{disk, circle(0.5, 0, 0.5)}, Curves{disk, disk.reversed(), circle(0, 0.25, 0.75)}, Curves{circle(0.5, 0, 0.5), disk, SC::segment_curve(Point(-1, 0), Point(0, 0))}}) {
     const Hull hull = SC::convex_hull(curves);
     EXPECT_TRUE(hull.is_complete());
-    EXPECT_EQ(count(hull, Kind::SEGMENT), 0u);
+    EXPECT_EQ(count_edges(hull, Kind::SEGMENT), 0u);
     expect_convex_cycle(hull);
     expect_area(hull, pi);
   }
@@ -199,7 +194,7 @@ TEST(convex_hulls_2, drawings)
   const Curve arch = SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, 2}, {3, 0}});
   const Hull overlapping = SC::convex_hull(Curves{arch.restricted(0, 0.625), arch.restricted(0.3125, 1), arch.restricted(0.25, 0.75).reversed()});
   EXPECT_TRUE(overlapping.is_complete());
-  EXPECT_EQ(count(overlapping, Kind::SEGMENT), 1u);
+  EXPECT_EQ(count_edges(overlapping, Kind::SEGMENT), 1u);
   expect_convex_cycle(overlapping);
   EXPECT_EQ(overlapping.area().first, 3);
   EXPECT_EQ(overlapping.area().second, 3);
@@ -216,7 +211,7 @@ TEST(convex_hulls_2, three_tangents_are_one)
   const auto [lower, upper] = SC::convex_hull(Curves{kidney(), moved(kidney(), 20, 8)}).area();
   const Hull row = SC::convex_hull(Curves{kidney(), moved(kidney(), 10, 4), moved(kidney(), 20, 8)});
   EXPECT_TRUE(row.is_complete());
-  EXPECT_EQ(count(row, Kind::SEGMENT), 3u);   // that of the bay, too
+  EXPECT_EQ(count_edges(row, Kind::SEGMENT), 3u);   // that of the bay, too
   expect_convex_cycle(row);
   expect_area(row, SC::to_nearest_double(SC::Exact_rational((lower + upper) / 2)));
 }
@@ -244,7 +239,7 @@ TEST(convex_hulls_2, degenerate)
   const Hull limited = SC::convex_hull(Curves{kidney()}, {Point(9, 9)}, {.time_limit = 1e-9});
   EXPECT_FALSE(limited.is_complete());
   EXPECT_FALSE(limited.summary().is_complete);
-  EXPECT_GT(count(limited, Kind::UNDECIDED), 0u);
+  EXPECT_GT(count_edges(limited, Kind::UNDECIDED), 0u);
 
   EXPECT_THROW(SC::convex_hull(Curves{}), SC::Invalid_input);
   EXPECT_THROW(segment.polygon(0), SC::Invalid_input);

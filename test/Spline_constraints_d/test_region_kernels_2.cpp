@@ -37,12 +37,6 @@ auto closed(std::vector<Point> corners)
   return SC::polyline_curve(corners);
 }
 
-template <class Kernel>
-std::size_t count(const SC::Region_kernel_2<Kernel>& kernel, Kind kind)
-{
-  return static_cast<std::size_t>(std::count_if(kernel.edges().begin(), kernel.edges().end(), [=](const auto& edge) { return edge.kind == kind; }));
-}
-
 void expect_area(const SC::Region_kernel_2<K>& kernel, double expected)
 {
   const auto [lower, upper] = kernel.area();
@@ -188,8 +182,8 @@ TEST(region_kernels_2, convex_regions)
   const auto region = SC::planar_region(smooth);
   const auto all = SC::region_kernel(region);
   EXPECT_TRUE(all.is_complete());
-  EXPECT_EQ(count(all, Kind::ARC), 4u);
-  EXPECT_EQ(count(all, Kind::SEGMENT), 2u);
+  EXPECT_EQ(count_edges(all, Kind::ARC), 4u);
+  EXPECT_EQ(count_edges(all, Kind::SEGMENT), 2u);
   EXPECT_EQ(all.area(), region.area());
 }
 
@@ -202,7 +196,7 @@ TEST(region_kernels_2, reflex_arcs)
   const auto kernel = SC::region_kernel(region);
   EXPECT_TRUE(kernel.is_complete());
   EXPECT_EQ(kernel.edges().size(), 3u);
-  EXPECT_EQ(count(kernel, Kind::SEGMENT), 3u);
+  EXPECT_EQ(count_edges(kernel, Kind::SEGMENT), 3u);
   // y >= 2 + 2x and y >= 2 - 2x in the square |x| <= 4, y <= 8: the corners are (0,2), (3,8), (-3,8)
   EXPECT_EQ(kernel.area().first, 18);
   EXPECT_EQ(kernel.area().second, 18);
@@ -227,7 +221,7 @@ TEST(region_kernels_2, random_curves)
     const Curve curve = Curve::from_periodic(3, breaks, points);
     const auto kernel = SC::region_kernel(curve);
     expect_kernel(curve, kernel);
-    with_arcs += count(kernel, Kind::ARC) > 0;
+    with_arcs += count_edges(kernel, Kind::ARC) > 0;
     const auto shifted = SC::region_kernel(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, K::Vector_2(16, -8))));
     EXPECT_EQ(shifted.edges().size(), kernel.edges().size());
     expect_area(shifted, SC::to_nearest_double(kernel.area().first));

@@ -42,17 +42,11 @@ Curve circle(double x, double y, double radius) { return SC::circle_curve(Point(
 Curve segment(const Point& p, const Point& q) { return SC::polyline_curve(std::vector<Point>{p, q}); }
 double turn(const Point& p, const Point& q, const Point& r) { return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x()); }
 
-template <class Visible>
-std::size_t count(const Visible& visible, Kind kind)
-{
-  return static_cast<std::size_t>(std::count_if(visible.edges().begin(), visible.edges().end(), [=](const auto& edge) { return edge.kind == kind; }));
-}
-
 // Edges follow each other; segments are on rays; parameters are narrow.
 void expect_cycle(const SC::Visible_part_2<K>& visible, const Point& viewpoint)
 {
   EXPECT_TRUE(visible.is_complete());
-  EXPECT_EQ(count(visible, Kind::UNDECIDED), 0u);
+  EXPECT_EQ(count_edges(visible, Kind::UNDECIDED), 0u);
   for (std::size_t i = 0; i < visible.edges().size(); ++i) {
     const auto &edge = visible.edges()[i], &next = visible.edges()[(i + 1) % visible.edges().size()];
     EXPECT_LT(CGAL::squared_distance(visible.point(edge.target), visible.point(next.source)), 1e-18);
@@ -79,8 +73,8 @@ TEST(visible_parts_2, circles)
     const Point p(0, 0);
     const auto one = SC::visible_part(p, circle(3, 4, r));
     expect_cycle(one, p);
-    ASSERT_EQ(count(one, Kind::ARC), 1u);
-    EXPECT_EQ(count(one, Kind::OPEN), 1u);
+    ASSERT_EQ(count_edges(one, Kind::ARC), 1u);
+    EXPECT_EQ(count_edges(one, Kind::OPEN), 1u);
     EXPECT_FALSE(one.is_bounded());
     const double tangent = std::sqrt(25 - r * r);
     for (const auto& edge : one.edges())
@@ -95,8 +89,8 @@ TEST(visible_parts_2, circles)
 
   const auto shadow = SC::visible_part(Point(0, 0), Curves{circle(0, 0, 10), circle(5, 0, 3)});   // the annulus between the circles behind is missing
   expect_cycle(shadow, Point(0, 0));
-  EXPECT_EQ(count(shadow, Kind::ARC), 2u);
-  EXPECT_EQ(count(shadow, Kind::SEGMENT), 2u);
+  EXPECT_EQ(count_edges(shadow, Kind::ARC), 2u);
+  EXPECT_EQ(count_edges(shadow, Kind::SEGMENT), 2u);
   expect_area(shadow, 100 * (pi - std::asin(0.6)) + 3 * 4 - 9 * std::acos(0.6));
 
   const auto on_circle = SC::visible_part(Point(2, 0), circle(0, 0, 2));
@@ -110,12 +104,12 @@ TEST(visible_parts_2, ties)
   const Point p(0, 0);
   const auto aligned = SC::visible_part(p, Curves{circle(3, 1, 1), circle(6, 1, 1), circle(6, -1, 1), segment({1, 0}, {2, 0}), segment({20, -9}, {20, 9})});   // the x-axis touches three circles, and a segment is on it
   expect_cycle(aligned, p);
-  EXPECT_EQ(count(aligned, Kind::OPEN), 1u);
+  EXPECT_EQ(count_edges(aligned, Kind::OPEN), 1u);
 
   const auto corners = SC::visible_part(p, Curves{segment({1, 1}, {2, 1}), segment({2, 2}, {2, 6}), segment({4, 2}, {4, -6}), segment({4, -6}, {-9, -6})});   // ends in the same direction
   expect_cycle(corners, p);
-  EXPECT_EQ(count(corners, Kind::ARC), 4u);
-  EXPECT_EQ(count(corners, Kind::SEGMENT), 2u);
+  EXPECT_EQ(count_edges(corners, Kind::ARC), 4u);
+  EXPECT_EQ(count_edges(corners, Kind::SEGMENT), 2u);
 
   const auto doubled = SC::visible_part(p, Curves{circle(0, 0, 2), circle(0, 0, 2), circle(1, 0, 1)});   // a curve twice, and the viewpoint on one
   EXPECT_TRUE(doubled.is_complete());
@@ -124,9 +118,9 @@ TEST(visible_parts_2, ties)
 
   const auto crossing = SC::visible_part(p, Curves{segment({-1, 2}, {4, 1}), segment({-1, 1}, {4, 3})});   // the nearer parts of two segments
   expect_cycle(crossing, p);
-  EXPECT_EQ(count(crossing, Kind::ARC), 2u);
-  EXPECT_EQ(count(crossing, Kind::SEGMENT), 0u);
-  EXPECT_EQ(count(crossing, Kind::OPEN), 1u);
+  EXPECT_EQ(count_edges(crossing, Kind::ARC), 2u);
+  EXPECT_EQ(count_edges(crossing, Kind::SEGMENT), 0u);
+  EXPECT_EQ(count_edges(crossing, Kind::OPEN), 1u);
 }
 
 // The same polygon as CGAL finds, exactly.

@@ -65,6 +65,20 @@ TEST(VoronoiArrangement, CurvesInAFrame)
   EXPECT_EQ(diagram.number_of_regions(), 3U);
 }
 
+// In a crossing an edge of the diagram ends in each of the four angles: these are one vertex of the arrangement.
+TEST(VoronoiArrangement, CurvesThatCross)
+{
+  const auto expect_one_crossing = [](const Curves& curves) {
+    const auto diagram = SC::voronoi_diagram(curves);
+    ASSERT_TRUE(diagram.is_complete());
+    const auto result = SC::to_arrangement(diagram, 0.05, 20);
+    EXPECT_TRUE(result.has_same_topology);
+    EXPECT_EQ(std::count_if(result.arrangement.vertices_begin(), result.arrangement.vertices_end(), [](const auto& v) { return v.degree() == 4; }), 1);
+  };
+  expect_one_crossing({SC::bezier_curve(std::vector<P>{P(0, 0), P(4, 1)}), SC::bezier_curve(std::vector<P>{P(1, 3), P(2, -2)})});
+  expect_one_crossing({SC::bezier_curve(std::vector<P>{P(0, 0), P(6, 4), P(-2, 4.2), P(4.1, 0.3)})});
+}
+
 TEST(VoronoiArrangement, BadInput)
 {
   const auto diagram = SC::voronoi_diagram(Curves(), {P(0, 0), P(4, 0)});

@@ -158,8 +158,7 @@ writes a region as well-known text (WKT) with curves, in one line. Polynomial pi
 template <SplineKernel Kernel>
 void write_WKT(std::ostream& out, const Planar_region_2<Kernel>& region, double error)
 {
-  if (!(error > 0))
-    throw Invalid_input("write_WKT: the error must be positive");
+  internal::check_error(error, "write_WKT");
   std::vector<internal::WKT_part> parts;
   for (const std::vector<std::size_t>& boundaries : internal::parts_of_boundaries(region.boundaries())) {
     internal::WKT_part& part = parts.emplace_back();

@@ -383,6 +383,15 @@ inline Spline_function Spline_function::from_bernstein(std::vector<int> variable
   return from_pieces(std::move(variables), std::vector<std::vector<Exact_rational>>(polynomial.degrees().size()), std::span(&polynomial, 1));
 }
 
+namespace internal {
+
+inline bool is_zero_everywhere(const Spline_function& function)
+{
+  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
+  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
+}
+
+} // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 

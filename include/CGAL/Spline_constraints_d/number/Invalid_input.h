@@ -24,6 +24,18 @@ public:
   using std::invalid_argument::invalid_argument;
 };
 
+namespace internal {
+
+// Of operations that approximate: the distance they are given.
+template <class Number>
+void check_error(const Number& error, const std::string& operation)
+{
+  if (!(error > 0))
+    throw Invalid_input(operation + ": the error must be positive");
+}
+
+} // namespace internal
+
 } // namespace Spline_constraints
 } // namespace CGAL
 

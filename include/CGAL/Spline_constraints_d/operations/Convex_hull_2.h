@@ -61,10 +61,10 @@ public:
       throw Invalid_input("Convex_hull_2: there are neither curves nor points");
     const Upward_rounding_guard guard;
     m_parts = internal::Curve_parts_2(curves);
-    std::map<internal::Exact_pair, Hull_vertex_2> isolated;
+    std::map<internal::Exact_pair, Boundary_vertex_2> isolated;
     for (const Point& point : points) {
       m_points.push_back({internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
-      isolated.try_emplace(m_points.back(), Hull_vertex_2{curves.size() + m_points.size() - 1, {}});
+      isolated.try_emplace(m_points.back(), Boundary_vertex_2{curves.size() + m_points.size() - 1, {}});
     }
     const internal::Hull_boundary_2 boundary(m_parts.pieces(), std::move(isolated), options);
     m_edges = with_joined_arcs(boundary.edges());
@@ -88,7 +88,7 @@ public:
   const Summary& summary() const { return m_summary; }
 
   //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
-  Point point(const Hull_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(exact_point(vertex.curve, vertex.parameter())); }
+  Point point(const Boundary_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(exact_point(vertex.curve, vertex.parameter())); }
 
   /*!
   points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
@@ -98,7 +98,7 @@ public:
   */
   std::vector<Point> polyline(std::size_t edge, double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Convex_hull_2");
     const auto& [kind, source, target] = m_edges[edge];
     std::vector<Point> result{point(source)};
     if (kind == Hull_edge_kind::ARC)
@@ -115,7 +115,7 @@ public:
   */
   CGAL::Polygon_2<Kernel> polygon(double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Convex_hull_2");
     CGAL::Polygon_2<Kernel> result;
     for (std::size_t i = 0; i < m_edges.size(); ++i) {
       const std::vector<Point> points = polyline(i, error);
@@ -133,7 +133,7 @@ public:
   */
   std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
   {
-    check_error(error);
+    internal::check_error(error, "Convex_hull_2");
     CGAL_precondition(is_complete());
     std::vector<internal::Boundary_piece> arcs;
     Exact_rational twice_polygon(0), twice_rest(0);
@@ -151,12 +151,6 @@ public:
   }
 
 private:
-  static void check_error(double error)
-  {
-    if (!(error > 0))
-      throw Invalid_input("Convex_hull_2: the error must be positive");
-  }
-
   // One edge for successive arcs of one curve; the first one does not go on from the last one.
   static std::vector<Hull_edge_2> with_joined_arcs(std::vector<Hull_edge_2> edges)
   {
@@ -186,7 +180,7 @@ private:
   // Where the arcs next to a segment certainly belong to the boundary; points that are known exactly where there are no arcs.
   std::array<internal::Exact_pair, 2> certain_segment(std::size_t i) const
   {
-    const auto end = [&](const Hull_vertex_2& vertex, std::size_t neighbour, int side) {
+    const auto end = [&](const Boundary_vertex_2& vertex, std::size_t neighbour, int side) {
       return m_edges[neighbour].kind == Hull_edge_kind::ARC ? exact_point(m_edges[neighbour].source.curve, certain_end(neighbour, side)) : exact_point(vertex.curve, vertex.parameter());
     };
     return {end(m_edges[i].source, before(i), 1), end(m_edges[i].target, after(i), 0)};
@@ -199,7 +193,7 @@ private:
     std::vector<Exact_point> points, hull;
     for (const internal::Exact_pair& p : certain_segment(i))
       points.emplace_back(p[0], p[1]);
-    for (const Hull_vertex_2& vertex : {m_edges[i].source, m_edges[i].target})
+    for (const Boundary_vertex_2& vertex : {m_edges[i].source, m_edges[i].target})
       if (vertex.parameters.first < vertex.parameters.second)
         for (const internal::Hull_piece_2& piece : m_parts.between(vertex.curve, vertex.parameters.first, vertex.parameters.second))
           for (const internal::Exact_pair& p : piece.points())

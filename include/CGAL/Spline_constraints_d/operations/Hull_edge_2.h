@@ -4,11 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_HULL_EDGE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_HULL_EDGE_2_H
 
-#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/Boundary_vertex_2.h>
 
-#include <cstddef>
 #include <ostream>
-#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -35,30 +33,13 @@ inline std::ostream& operator<<(std::ostream& out, Hull_edge_kind kind)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-An end of a part of the boundary of a convex hull.
-*/
-struct Hull_vertex_2
-{
-  //! the index of the curve; those of points follow on those of the curves.
-  std::size_t curve;
-
-  //! a range that is proved to have the parameter in it: one number at the ends of curves and in other points that are known exactly.
-  std::pair<Exact_rational, Exact_rational> parameters;
-
-  //! the middle of the range.
-  Exact_rational parameter() const { return Exact_rational((parameters.first + parameters.second) / 2); }
-};
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
 A part of the boundary of a convex hull, with the hull on its left.
 */
 struct Hull_edge_2
 {
   Hull_edge_kind kind;    ///< what it is
-  Hull_vertex_2 source;   ///< where it begins
-  Hull_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
+  Boundary_vertex_2 source;   ///< where it begins
+  Boundary_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
 
   //! whether parameters decrease along an arc.
   bool is_reversed() const { return kind == Hull_edge_kind::ARC && target.parameters < source.parameters; }

@@ -117,7 +117,7 @@ public:
   */
   std::vector<Sample> polyline(std::size_t boundary, std::size_t arc, double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Minkowski_sum_2");
     const Upward_rounding_guard guard;
     const Section& section = m_model->boundary.chains()[boundary].sections[arc];
     std::vector<Sample> result;
@@ -138,7 +138,7 @@ public:
   */
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Minkowski_sum_2");
     const Upward_rounding_guard guard;
     std::vector<CGAL::Polygon_with_holes_2<Kernel>> result;
     std::vector<CGAL::Polygon_2<Kernel>> holes;
@@ -167,12 +167,6 @@ private:
   using Section = internal::Sum_boundary_2::Section;
   using Chain = internal::Sum_boundary_2::Chain;
   using Double_point = std::array<double, 2>;
-
-  static void check_error(double error)
-  {
-    if (!(error > 0))
-      throw Invalid_input("Minkowski_sum_2: the error must be positive");
-  }
 
   // The curve of a region, and its parameter, that a point of a section comes from.
   std::pair<std::size_t, double> origin(const Section& section, std::size_t region, double t) const

@@ -122,8 +122,7 @@ public:
   */
   std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
   {
-    if (!(error > 0))
-      throw Invalid_input("Planar_region_2: the error must be positive");
+    internal::check_error(error, "Planar_region_2");
     const Exact_rational part(to_rational(error) / Exact_rational(static_cast<int>(m_loops.size())));
     internal::Rational_interval result(Exact_rational(0), Exact_rational(0));
     for (const internal::Boundary_loop_2& loop : m_loops)
@@ -138,8 +137,7 @@ public:
   */
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
   {
-    if (!(error > 0))
-      throw Invalid_input("Planar_region_2: the error must be positive");
+    internal::check_error(error, "Planar_region_2");
     return internal::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(m_boundaries, [&](std::size_t b) {
       CGAL::Polygon_2<Kernel> polygon;
       for (const internal::Boundary_piece& piece : m_loops[b].pieces()) {

@@ -142,7 +142,7 @@ public:
   */
   std::vector<Point> polyline(std::size_t edge, double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Region_kernel_2");
     std::vector<Point> result{source(edge)};
     if (m_edges[edge].kind == Kernel_edge_kind::ARC)
       m_parts.append_samples<Kernel>(m_edges[edge].curve, m_edges[edge].parameter(0), m_edges[edge].parameter(1), to_rational(error), result);
@@ -158,7 +158,7 @@ public:
   */
   CGAL::Polygon_2<Kernel> polygon(double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Region_kernel_2");
     CGAL::Polygon_2<Kernel> result;
     for (std::size_t i = 0; i < m_edges.size(); ++i) {
       const std::vector<Point> points = polyline(i, error);
@@ -175,7 +175,7 @@ public:
   */
   Range area(double error = 1e-12) const
   {
-    check_error(error);
+    internal::check_error(error, "Region_kernel_2");
     CGAL_precondition(is_complete());
     internal::Rational_interval result(Exact_rational(0), Exact_rational(0));
     std::vector<internal::Boundary_piece> arcs;
@@ -193,12 +193,6 @@ private:
   using Boundary = internal::Kernel_boundary_2;
   using Corner = Boundary::Corner;
   using Place = internal::Kernel_element_2::Place;
-
-  static void check_error(double error)
-  {
-    if (!(error > 0))
-      throw Invalid_input("Region_kernel_2: the error must be positive");
-  }
 
   std::size_t after(std::size_t edge) const { return (edge + 1) % m_edges.size(); }
 

@@ -165,8 +165,7 @@ public:
   */
   std::vector<Sample> polyline(const Curve& curve, double error) const
   {
-    if (!(error > 0))
-      throw Invalid_input("Surface_curves_3: the error must be positive");
+    internal::check_error(error, "Surface_curves_3");
     const Part& part = m_parts[curve.part];
     const auto is_chord = [&](const auto& from, const auto& sample, const auto& to) { return internal::distance_from_middle(from.image, sample.image, to.image) <= error; };
     std::vector<Sample> result;

@@ -121,8 +121,7 @@ public:
 private:
   static void check(double error)
   {
-    if (!(error > 0))
-      throw Invalid_input("Trimmed_offset_2: the error must be positive");
+    internal::check_error(error, "Trimmed_offset_2");
   }
 
   static Point middle(const internal::Interval_pair& p)

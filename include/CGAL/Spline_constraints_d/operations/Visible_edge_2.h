@@ -4,11 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBLE_EDGE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VISIBLE_EDGE_2_H
 
-#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/Boundary_vertex_2.h>
 
-#include <cstddef>
 #include <ostream>
-#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -36,30 +34,13 @@ inline std::ostream& operator<<(std::ostream& out, Visible_edge_kind kind)
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-An end of a part of the boundary of all that is seen from a point.
-*/
-struct Visible_vertex_2
-{
-  //! the index of the curve.
-  std::size_t curve;
-
-  //! a range that is proved to have the parameter in it; one number where that is known exactly.
-  std::pair<Exact_rational, Exact_rational> parameters;
-
-  //! the middle of the range.
-  Exact_rational parameter() const { return Exact_rational((parameters.first + parameters.second) / 2); }
-};
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
 A part of the boundary of all that is seen from a point, which is on its left.
 */
 struct Visible_edge_2
 {
   Visible_edge_kind kind;    ///< what it is
-  Visible_vertex_2 source;   ///< where it begins
-  Visible_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
+  Boundary_vertex_2 source;   ///< where it begins
+  Boundary_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
 
   //! whether parameters decrease along an arc.
   bool is_reversed() const { return kind == Visible_edge_kind::ARC && target.parameters < source.parameters; }

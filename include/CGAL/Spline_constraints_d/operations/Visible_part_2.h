@@ -86,7 +86,7 @@ public:
   const Summary& summary() const { return m_summary; }
 
   //! the point at the middle of the range of parameters, rounded where the kernel is not exact.
-  Point point(const Visible_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(m_parts.point(vertex.curve, vertex.parameter())); }
+  Point point(const Boundary_vertex_2& vertex) const { return internal::kernel_object<Kernel, Point>(m_parts.point(vertex.curve, vertex.parameter())); }
 
   /*!
   points along a part of the boundary, from its source to its target, so that no point of it is farther from the chords between them than a given distance, but for the rounding of coordinates.
@@ -96,7 +96,7 @@ public:
   */
   std::vector<Point> polyline(std::size_t edge, double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Visible_part_2");
     const auto& [kind, source, target] = m_edges[edge];
     std::vector<Point> result{point(source)};
     if (kind == Visible_edge_kind::ARC)
@@ -113,7 +113,7 @@ public:
   */
   CGAL::Polygon_2<Kernel> polygon(double error) const
   {
-    check_error(error);
+    internal::check_error(error, "Visible_part_2");
     CGAL::Polygon_2<Kernel> result;
     const auto append = [&](const Point& point) {
       if (result.is_empty() || point != result[result.size() - 1])
@@ -139,7 +139,7 @@ public:
   */
   std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
   {
-    check_error(error);
+    internal::check_error(error, "Visible_part_2");
     CGAL_precondition(is_complete());
     internal::Rational_interval result(Exact_rational(0), Exact_rational(0));
     std::vector<internal::Boundary_piece> arcs;
@@ -149,13 +149,6 @@ public:
     if (!arcs.empty())
       result = result + internal::Boundary_loop_2(arcs).signed_area(to_rational(error) / 2);
     return {result.lower, result.upper};
-  }
-
-private:
-  static void check_error(double error)
-  {
-    if (!(error > 0))
-      throw Invalid_input("Visible_part_2: the error must be positive");
   }
 };
 

@@ -134,8 +134,7 @@ public:
   */
   std::vector<Sample> polyline(std::size_t edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
   {
-    if (!(error > 0))
-      throw Invalid_input("Voronoi_diagram_2: the error must be positive");
+    internal::check_error(error, "Voronoi_diagram_2");
     const Upward_rounding_guard guard;
     std::vector<Sample> result;
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
@@ -224,8 +223,10 @@ private:
     const internal::Disk_contact& contact = m_diagram->stretch(part).contact;
     const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);
     const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.other_range.middle())};
-    if (!std::isfinite(disk.curvature.inf()))   // a corner
-      return {point(middle(x.point[0]), middle(x.point[1])), 0, parameters};
+    if (!std::isfinite(disk.curvature.inf())) {   // a corner: if that is certain, the same point for all arcs that end there
+      const internal::Interval_pair& corner = std::isfinite(middle(disk.center[0])) ? disk.center : x.point;
+      return {point(middle(corner[0]), middle(corner[1])), 0, parameters};
+    }
     if (!(disk.curvature.inf() > 0))
       return {Point(0, 0), std::numeric_limits<double>::infinity(), parameters};
     const double radius = std::sqrt(middle(internal::squared_norm(x.normal))) / middle(disk.curvature);

@@ -71,8 +71,7 @@ Complexity: that of `cusps()`, and one exact evaluation of the curve and its der
 inline Offset_arcs_2 offset_arcs(const Offset_curve_2& offset, double error, const Solver_options& options = {})
 {
   using namespace internal;
-  if (!(error > 0))
-    throw Invalid_input("offset_arcs: the error must be positive");
+  internal::check_error(error, "offset_arcs");
   Offset_arcs_2 result{{}, cusps(offset, options)};
   const auto is_cusp_at = [&](const Exact_rational& t) {
     return std::any_of(result.cusps.begin(), result.cusps.end(), [&](const auto& cusp) {

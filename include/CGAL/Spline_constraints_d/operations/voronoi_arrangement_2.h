@@ -85,7 +85,7 @@ bool has_topology_of(const Diagram& diagram, const Polyline_arrangement_2& arran
 
 a Voronoi diagram or a medial axis as an arrangement of chords of its edges.
 
-Edges that have a vertex in common end in the same vertex of the arrangement, the point of the vertex, rounded. Edges to infinity are cut.
+Edges that have a vertex in common end in the same vertex of the arrangement, the point of the vertex, rounded; so do those that end in the angles between curves that cross, in one point. Edges to infinity are cut.
 
 Whether the arrangement has the connections of the diagram is decided exactly; if not, the error is halved, up to eight times. Then each connected part of it can be deformed to that part of the diagram without a change of the connections.
 

@@ -243,8 +243,7 @@ end in a singular point, at most a sixtieth of the domain long, are one chord.
 */
 inline std::vector<std::vector<double>> to_polyline(const Constraint_system_d& system, const Curve_solution_set_d& set, const Solution_curve& curve, double error, double angle = 4)
 {
-  if (!(error > 0))
-    throw Invalid_input("to_polyline: the error must be positive");
+  internal::check_error(error, "to_polyline");
   if (!(angle > 0))
     throw Invalid_input("to_polyline: the angle must be positive");
   const auto nothing = [](const std::vector<double>&) { return 0; };

@@ -322,16 +322,7 @@ private:
   }
 
   // Of an equation. Inequalities do not matter.
-  static bool is_identically_satisfied(const Constraint& constraint)
-  {
-    if (constraint.relation != Relation::EQUAL)
-      return true;
-    const auto is_zero = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& x) { return x == 0; }); };
-    const Spline_function function = constraint.spline_function();
-    return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) {
-      return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero);
-    });
-  }
+  static bool is_identically_satisfied(const Constraint& constraint) { return constraint.relation != Relation::EQUAL || is_zero_everywhere(constraint.spline_function()); }
 
   static std::array<std::vector<Parameter_range>, 2> ranges_of(const Pair_of_sites& sites, const Box& box)
   {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_CROSSINGS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_CROSSINGS_2_H
 
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 

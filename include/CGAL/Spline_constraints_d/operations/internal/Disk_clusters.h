@@ -240,18 +240,18 @@ private:
   // The curvature of disks in the corners between an arc and others is inversely proportional to their distance, nearly; what is lower than in one of them is left out.
   void merge_at_corners(const Arc_end& own)
   {
+    const std::vector<Arc_end>& ends = m_graph.vertices()[m_graph.vertex_of(own)].ends;
     double greatest = 0;
-    std::vector<Arc_end> others = m_graph.vertices()[m_graph.vertex_of(own)].ends;
-    std::erase(others, own);
-    for (const Arc_end& other : others)
-      greatest = (std::max)(greatest, merge_at_corner(own, other));
+    for (const Arc_end& other : ends)
+      if (other != own)
+        greatest = (std::max)(greatest, merge_at_corner(own, other));
     if (!(greatest > 0))
       return;
     const Interval width(m_part.range.width());
     std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.bounds.value.sup() < (Interval(greatest) / width).inf(); });
-    for (const Arc_end& other : others)
+    for (const Arc_end& other : ends)
       std::erase_if(m_clusters, [&](const Cluster& cluster) {
-        return cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_part, own, other, cluster.range).are_all_lower(greatest);
+        return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_part, own, other, cluster.range).are_all_lower(greatest);
       });
   }
 

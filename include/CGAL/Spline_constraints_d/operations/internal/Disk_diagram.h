@@ -116,9 +116,11 @@ public:
   // The same up to rounding, also near the ends of arcs; where arcs join smoothly, the disk has the greater one of their curvatures. Not finite in corners.
   Disk estimated_disk(const Part& part, double u) const
   {
+    if (const auto corner = disk_in_corner(part, u))
+      return *corner;
     const Disk result = disk(part, u);
     const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind != Disk_contact::Kind::ARC || stretch(part).located(u).corner.is_at(u))
+    if (contact.kind != Disk_contact::Kind::ARC)
       return result;
     const Front_part point = m_curvature.part(part.front, {u, u});
     const auto width = [](const Interval& k) { return k.sup() - k.inf(); };
@@ -138,6 +140,21 @@ public:
   }
 
 private:
+  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, there is only the point.
+  std::optional<Disk> disk_in_corner(const Part& part, double u) const
+  {
+    if (front(part).is_fan || (u != 0 && u != 1) || stretch(part).contact.kind != Disk_contact::Kind::ARC)
+      return std::nullopt;
+    const Site_graph_2::Vertex& vertex = m_graph.vertices()[m_graph.vertex_of({front(part).object, u == 1})];
+    const Interval_pair normal = m_graph.front_jet(front(part), {u, u}).normal;
+    for (const Arc_end& end : vertex.ends) {
+      const double v = end.parameter();
+      if (end.arc == stretch(part).contact.index && certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].jet({v, v}, 1)[1])) > 0)
+        return Disk{vertex.point, any_number(), {v, v}};
+    }
+    return std::nullopt;
+  }
+
   // That of the disk that touches a front in a point and passes through a point of an arc.
   std::optional<Interval> exact_curvature(const Front& front, double u, std::size_t arc, double v) const
   {

@@ -52,7 +52,7 @@ class Hull_boundary_2
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
   std::size_t m_halvings_left = 0;                     // of all pieces; in each round where they overlap, all must be halved
-  std::map<Exact_pair, Hull_vertex_2> m_points;           // whose hull is the polygon
+  std::map<Exact_pair, Boundary_vertex_2> m_points;           // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
   std::vector<Interval_pair> m_boxes;                  // of its vertices
@@ -62,7 +62,7 @@ class Hull_boundary_2
   Edges m_edges;
 
 public:
-  Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Hull_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
+  Hull_boundary_2(const std::vector<Hull_chain>& curves, std::map<Exact_pair, Boundary_vertex_2> points, const Solver_options& options) : m_contacts(options), m_points(std::move(points))
   {
     for (const Hull_chain& curve : curves)
       for (const Hull_piece_2& piece : curve)
@@ -88,7 +88,7 @@ private:
       return;
     const Boundary_piece& curve = piece.curve();
     for (std::size_t k = 0; k < 2; ++k)
-      m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Hull_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
+      m_points.try_emplace(k == 0 ? piece.begin() : piece.end(), Boundary_vertex_2{curve.curve, {curve.parameters[k], curve.parameters[k]}});
     if (piece.points().size() > 1)   // else it is a point
       m_pieces.push_back(std::move(piece));
   }
@@ -105,7 +105,7 @@ private:
     CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
     m_polygon.clear();
     m_boxes.clear();
-    std::map<Exact_pair, Hull_vertex_2> vertices;
+    std::map<Exact_pair, Boundary_vertex_2> vertices;
     for (const Point& p : hull) {
       m_polygon.push_back({p.x(), p.y()});
       m_boxes.push_back(enclosed(m_polygon.back()));
@@ -333,8 +333,8 @@ private:
     for (const Hull_contact_operand& a : operands(first, vertex(part.first)))
       for (const Hull_contact_operand& b : operands(second, vertex(part.last)))
         if (const auto contacts = m_contacts.common_tangent(a, b)) {
-          const Hull_vertex_2 source = a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
-          const Hull_vertex_2 target = b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
+          const Boundary_vertex_2 source = a.piece != nullptr ? vertex_on(*a.piece, contacts->front()) : m_points.at(a.point);
+          const Boundary_vertex_2 target = b.piece != nullptr ? vertex_on(*b.piece, contacts->back()) : m_points.at(b.point);
           Edges result;
           if (a.piece != nullptr) {
             append_arcs({first.data(), a.piece}, result);

@@ -72,7 +72,7 @@ inline std::vector<Hull_contact_operand> operands(const Hull_chain& chain, const
   return result;
 }
 
-inline Hull_vertex_2 vertex_on(const Hull_piece_2& piece, const Parameter_range& local)
+inline Boundary_vertex_2 vertex_on(const Hull_piece_2& piece, const Parameter_range& local)
 {
   const auto& [begin, end] = piece.curve().parameters;
   const Exact_rational first(begin + local.first * (end - begin)), second(begin + local.second * (end - begin));

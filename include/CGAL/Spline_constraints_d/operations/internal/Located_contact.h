@@ -33,12 +33,10 @@ struct Corner_of_disks
 {
   double parameter = 0, least = 0;
 
-  bool is_at(double u) const { return least > 0 && u == parameter; }
-
   double least_curvature(double u) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return !(least > 0) ? -infinity : is_at(u) ? infinity : (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf();
+    return !(least > 0) ? -infinity : u == parameter ? infinity : (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf();
   }
 };
 

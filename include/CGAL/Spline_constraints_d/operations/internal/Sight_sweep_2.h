@@ -310,7 +310,7 @@ private:
   }
 
   Rational_interval distance_at(std::size_t arc, std::size_t cluster) const { return m_arcs[arc].distance(place(arc, cluster)); }
-  Visible_vertex_2 vertex(std::size_t arc, std::size_t cluster) const { return {m_arcs[arc].curve(), m_arcs[arc].on_curve(place(arc, cluster))}; }
+  Boundary_vertex_2 vertex(std::size_t arc, std::size_t cluster) const { return {m_arcs[arc].curve(), m_arcs[arc].on_curve(place(arc, cluster))}; }
 
   // Arcs, and what is between the end of one and the begin of the next one. Sectors where no arc is seen are passed over.
   void make_edges()
@@ -335,7 +335,7 @@ private:
   void append_step(std::size_t arc, std::size_t cluster, std::size_t sector, Visible_edge_kind kind)
   {
     const std::size_t next_arc = m_fronts[sector].arc;
-    const Visible_vertex_2 source = vertex(arc, cluster), target = vertex(next_arc, sector);
+    const Boundary_vertex_2 source = vertex(arc, cluster), target = vertex(next_arc, sector);
     const Rational_interval a = distance_at(arc, cluster), b = distance_at(next_arc, sector);
     const bool is_decided = kind == Visible_edge_kind::SEGMENT ? is_one_direction(m_clusters[sector], (std::max)(a.upper, b.upper)) : is_one_direction(m_clusters[sector], std::nullopt);
     if (!is_decided)
@@ -350,14 +350,14 @@ private:
     m_edges.push_back({kind, source, target});
   }
 
-  static bool is_same(const Visible_vertex_2& a, const Visible_vertex_2& b) { return a.curve == b.curve && a.parameters == b.parameters; }
+  static bool is_same(const Boundary_vertex_2& a, const Boundary_vertex_2& b) { return a.curve == b.curve && a.parameters == b.parameters; }
 
-  bool are_one_point(const Visible_vertex_2& a, const Visible_vertex_2& b) const
+  bool are_one_point(const Boundary_vertex_2& a, const Boundary_vertex_2& b) const
   {
-    const auto is_known = [](const Visible_vertex_2& v) { return v.parameters.first == v.parameters.second; };
+    const auto is_known = [](const Boundary_vertex_2& v) { return v.parameters.first == v.parameters.second; };
     if (is_known(a) && is_known(b) && m_parts.point(a.curve, a.parameters.first) == m_parts.point(b.curve, b.parameters.first))
       return true;
-    const auto meets = [](const Visible_vertex_2& v, std::size_t curve, const Parameter_range& range) { return v.curve == curve && v.parameters.first <= range.second && range.first <= v.parameters.second; };
+    const auto meets = [](const Boundary_vertex_2& v, std::size_t curve, const Parameter_range& range) { return v.curve == curve && v.parameters.first <= range.second && range.first <= v.parameters.second; };
     return std::any_of(m_crossings.begin(), m_crossings.end(), [&](const Sight_crossing& crossing) {
       const auto are_at = [&](int k) { return meets(a, crossing.curves[k], crossing.ranges[k]) && meets(b, crossing.curves[1 - k], crossing.ranges[1 - k]); };
       return is_common_point(crossing) && (are_at(0) || are_at(1));

@@ -59,12 +59,6 @@ struct Found_curves
   }
 };
 
-inline bool is_zero_everywhere(const Spline_function& function)
-{
-  const auto is_zero_piece = [](const std::vector<Exact_rational>& piece) { return std::all_of(piece.begin(), piece.end(), [](const Exact_rational& coefficient) { return CGAL::is_zero(coefficient); }); };
-  return std::all_of(function.terms().begin(), function.terms().end(), [&](const Spline_term& term) { return std::all_of(term.pieces.begin(), term.pieces.end(), is_zero_piece); });
-}
-
 /*
 A spline and the factor x - c, zero at the end c of the range of an unknown. Where it is zero there, all of its terms are, as a rule: those with other unknowns.
 */
