@@ -15,10 +15,10 @@
 #include <CGAL/Spline_constraints_d/solver/Solution_curve_test.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Depth_first_subdivision.h>
 
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <limits>
 #include <optional>
 #include <span>
@@ -62,7 +62,7 @@ struct Task_limits
 };
 
 /*
-The depth-first subdivision of a part of the domain, up to a number of nodes. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open;
+Points of solutions: what becomes of the boxes in a part of the domain, up to a number of nodes. A box ends empty, by a proof; or with all its roots inside regions that hold exactly one root each; or open;
 what is left at the end of the budget comes back as tasks.
 */
 template <class Traits>
@@ -72,11 +72,17 @@ public:
   using Coordinate = typename Number_traits<typename Traits::Number_type>::Coordinate;
   using Task = Subdivision_task<Coordinate>;
 
+  // What the driver keeps for a box.
+  struct State
+  {
+    double share;            // of the domain
+    int passes = 0;          // over the box and those that it is a part of, as long as they lie below the planes of splits
+    bool is_fresh = false;   // it was rebuilt since it last shrank, and is not rebuilt again
+  };
+
 private:
   using NT = typename Traits::Number_type;
   using Node = Box_node<NT>;
-
-  enum class Verdict { DONE, CONTRACTED, REBUILT, SPLIT };
 
   const Constraint_system_d& m_system;
   const System_layout& m_layout;
@@ -93,7 +99,7 @@ private:
   Root_certification<NT> m_certification;
   std::optional<Solution_curve_test<NT>> m_curve_test;   // for three unknowns and more
   Local_box m_box;
-  std::deque<Node> m_nodes;   // one per level: references stay valid while it grows
+  Depth_first_subdivision<NT> m_driver;
   std::vector<Open_box<Coordinate>> m_open, m_curve_boxes;
   std::vector<Task> m_pending;
   std::vector<Multiple_root> m_multiple_roots;
@@ -114,6 +120,7 @@ public:
               Run_control& control, Root_collection<NT>& roots, Summary& summary)
     : m_system(system), m_layout(layout), m_options(options), m_control(control), m_summary(summary), m_analysis(layout, source, summary, Traits::tracks_rounding),
       m_preconditioned(system, layout, source, summary), m_certification(layout, source, m_preconditioned, roots, summary),
+      m_driver(layout),
       m_tolerance(options.tolerance)
   {
     if (layout.dimension >= 3)
@@ -137,12 +144,12 @@ public:
     m_most_attempts = limits.attempts;
     m_most_guesses = limits.guesses;
     m_looks = m_gains = m_curve_guesses = m_point_guesses = 0;
-    Node& root = level(0);
+    Node& root = m_driver.root();
     root.lower = task.lower;
     root.upper = task.upper;
     m_analysis.source().set_home(m_cell, std::span<const Coordinate>(task.lower), std::span<const Coordinate>(task.upper));
     m_analysis.rebuild(m_cell, root);
-    subdivide(0, task.depth, task.share);
+    m_driver.run(*this, State{task.share}, task.depth);
     m_analysis.source().leave_home();
     m_control.add_progress(std::exchange(m_done, 0));
   }
@@ -187,6 +194,44 @@ public:
     return true;
   }
 
+  // For the driver: false when the budget is used up; then the box is left for a later task.
+  bool goes_on(const Node& node, const State& state, int depth)
+  {
+    ++m_summary.nodes;
+    m_summary.depth = (std::max)(m_summary.depth, depth);
+    if (m_summary.nodes <= m_last_node && depth <= m_deepest && !must_stop())
+      return true;
+    m_last_node = --m_summary.nodes;
+    m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, state.share});
+    return false;
+  }
+
+  Box_verdict examine(Node& node, State& state, int depth)
+  {
+    const Box_verdict verdict = holds_multiple_root(node, state.passes++) ? Box_verdict::DONE : look_at(node, state, depth);
+    if (verdict == Box_verdict::DONE)
+      m_done += state.share;
+    return verdict;
+  }
+
+  // None for a box that looks like a piece of a curve, or is too small.
+  std::optional<Box_split<State>> split(Node& node, const State& state, int depth)
+  {
+    const bool is_curve = is_piece_of_curve(node, depth);
+    const int axis = is_curve ? -1 : choose_axis(node);
+    if (axis < 0) {
+      if (is_curve)
+        m_curve_boxes.push_back({node.lower, node.upper, Undecided_reason::CONTINUUM, m_cell});
+      else if (m_open.size() >= m_most_attempts || !m_certification.certify_around(m_cell, node))
+        leave_open(node);
+      m_done += state.share;
+      return std::nullopt;
+    }
+    // Off the middle the first time an axis is cut: roots like to sit on the planes of symmetry.
+    const double place = m_widths[axis] > 0.9 ? 125.0 / 256 : 0.5;
+    return Box_split<State>{axis, place, {.share = state.share / 2, .passes = state.passes}, {.share = state.share / 2}};
+  }
+
 private:
   // Beyond the cell the equalities are others.
   bool clip_to_cell(const Cell& cell, Multiple_root& root)
@@ -201,58 +246,7 @@ private:
     return true;
   }
 
-  Node& level(std::size_t index)
-  {
-    while (m_nodes.size() <= index)
-      m_nodes.emplace_back().allocate(m_layout);
-    return m_nodes[index];
-  }
-
   static double width(const Node& node, int j) { return CGAL::to_double(Coordinate(node.upper[j] - node.lower[j])); }
-
-  // The lower part of a split stays in its place, the upper part goes one level up and is finished first.
-  void subdivide(std::size_t index, int depth, double share)
-  {
-    Node& node = level(index);
-    int passes = 0;
-    for (bool is_fresh = false;; ++passes) {
-      ++m_summary.nodes;
-      m_summary.depth = (std::max)(m_summary.depth, depth);
-      if (m_summary.nodes > m_last_node || depth > m_deepest || must_stop()) {
-        m_last_node = --m_summary.nodes;
-        m_pending.push_back({m_cell, node.lower, node.upper, m_domain_widths, depth, share});
-        return;
-      }
-      const Verdict verdict = holds_multiple_root(node, passes) ? Verdict::DONE : examine(node, depth, is_fresh);
-      is_fresh = verdict == Verdict::REBUILT;
-      switch (verdict) {
-      case Verdict::DONE:
-        m_done += share;
-        return;
-      case Verdict::CONTRACTED:
-      case Verdict::REBUILT:
-        break;
-      case Verdict::SPLIT:
-        if (is_piece_of_curve(node, depth)) {
-          m_curve_boxes.push_back({node.lower, node.upper, Undecided_reason::CONTINUUM, m_cell});
-          m_done += share;
-          return;
-        }
-        const int axis = choose_axis(node);
-        if (axis < 0) {
-          if (m_open.size() >= m_most_attempts || !m_certification.certify_around(m_cell, node))
-            leave_open(node);
-          m_done += share;
-          return;
-        }
-        // Off the middle the first time an axis is cut: roots like to sit on the planes of symmetry.
-        const double t = m_widths[axis] > 0.9 ? 125.0 / 256 : 0.5;
-        node.split(m_layout, axis, t, level(index + 1));
-        share /= 2;
-        subdivide(index + 1, ++depth, share);
-      }
-    }
-  }
 
   // The node lies in the box of a multiple root. It may hold a new one when it has shrunk again and again, but nothing else came of it: then boxes shrink by a constant factor only.
   bool holds_multiple_root(const Node& node, int passes)
@@ -278,28 +272,29 @@ private:
     return (*m_curve_test)(m_cell, node, m_analysis.view, m_domain_widths);
   }
 
-  // `is_fresh`: the node was rebuilt since it last shrank, and is not rebuilt again.
-  Verdict examine(Node& node, int depth, bool is_fresh)
+  Box_verdict look_at(Node& node, State& state, int depth)
   {
+    const bool is_fresh = std::exchange(state.is_fresh, false);
     m_analysis.look_at(node);
     if (is_excluded(m_analysis.view))
-      return Verdict::DONE;
+      return Box_verdict::DONE;
     m_analysis.linear.precondition(m_analysis.view);
     m_box.reset(m_layout.dimension);
     if (!m_reduction.contract(m_analysis.view, m_analysis.linear, m_box))
-      return Verdict::DONE;
+      return Box_verdict::DONE;
     if (m_analysis.linear.has_inverse() && m_certification.certify(m_cell, node, m_analysis.view, m_analysis.linear, m_box, m_test))
-      return Verdict::DONE;
+      return Box_verdict::DONE;
     if (contract(node))
-      return Verdict::CONTRACTED;
+      return Box_verdict::AGAIN;
     const bool is_blurred = m_analysis.is_blurred(node);
     if (is_blurred && !is_fresh && m_analysis.can_be_sharpened(node)) {
       m_analysis.rebuild(m_cell, node);
-      return Verdict::REBUILT;
+      state.is_fresh = true;
+      return Box_verdict::AGAIN;
     }
     const bool is_wanted = is_blurred || (depth >= 24 && depth % 8 == 0 && !m_analysis.linear.has_inverse());
     const bool pays = m_looks < m_most_looks + 4 * m_gains;   // not on a continuum, where no C helps
-    return is_wanted && pays && m_preconditioned.is_applicable() ? look_closer(node) : Verdict::SPLIT;
+    return is_wanted && pays && m_preconditioned.is_applicable() ? look_closer(node) : Box_verdict::SPLIT;
   }
 
   // No control point of an equality, or of an inequality, reaches the values that would satisfy it.
@@ -316,43 +311,36 @@ private:
 
   // Looks at C f, formed exactly: for a node that rounding blurs although its coefficients are fresh, and now and then for a deep one, since the linear rows do not see how the
   // equations cancel beyond their slopes.
-  Verdict look_closer(Node& node)
+  Box_verdict look_closer(Node& node)
   {
     ++m_looks;
-    const Verdict verdict = look_at_preconditioned(node);
-    m_gains += verdict == Verdict::DONE;
+    const Box_verdict verdict = look_at_preconditioned(node);
+    m_gains += verdict == Box_verdict::DONE;
     return verdict;
   }
 
-  Verdict look_at_preconditioned(Node& node)
+  Box_verdict look_at_preconditioned(Node& node)
   {
     const Image_test image = m_preconditioned.test_image(m_cell, node, m_analysis.linear);
     if (image.verdict == Image_test::NO_ROOT)
-      return Verdict::DONE;
+      return Box_verdict::DONE;
     Node_analysis<NT>& closer = m_preconditioned.analysis();
     if (!closer.linear.contract_by_equations(closer.view, m_box) || !closer.linear.contract_by_preconditioned(m_box))
-      return Verdict::DONE;
+      return Box_verdict::DONE;
     if (closer.linear.has_inverse() && m_certification.certify(m_cell, node, closer.view, closer.linear, m_box, m_test))
-      return Verdict::DONE;
-    return contract(node) ? Verdict::CONTRACTED : Verdict::SPLIT;
+      return Box_verdict::DONE;
+    return contract(node) ? Box_verdict::AGAIN : Box_verdict::SPLIT;
   }
 
-  // Shrinks the node to what the reduction left of it, when that is worth a pass. No axis becomes a small part of its width at once: one that collapses would
-  // hide the others.
+  // Shrinks the node to what the reduction left of it, when that is worth a pass.
   bool contract(Node& node)
   {
-    constexpr double least_gain = 0.1, thinnest = 0x1p-10;
-    double volume = 1;
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      m_box.widen(j, (std::max)(thinnest, finest_width(node, j) / width(node, j)));
-      if (m_box.width(j) <= 1 - least_gain)
-        volume *= m_box.width(j);
-    }
-    if (volume > 0.5)
+    const auto least_share = [&](int j) { return finest_width(node, j) / width(node, j); };
+    if (!Box_contraction::is_worth_a_pass(m_box, least_share))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
       m_widths[j] = width(node, j);
-    node.restrict_to(m_layout, m_box, least_gain);
+    Box_contraction::shrink(node, m_layout, m_box, least_share);
     bool is_smaller = false;   // a few units of the last place may round back to where they were
     for (int j = 0; j < m_layout.dimension; ++j)
       is_smaller = is_smaller || width(node, j) < m_widths[j];

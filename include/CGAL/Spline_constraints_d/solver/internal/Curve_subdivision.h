@@ -12,13 +12,13 @@
 #include <CGAL/Spline_constraints_d/solver/Run_control.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_vertices.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Depth_first_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Singular_branch_finder.h>
 #include <CGAL/Spline_constraints_d/solver/splitters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -83,6 +83,16 @@ class Curve_subdivision
   using Coordinate = typename Number_traits<NT>::Coordinate;
   using Node = Box_node<NT>;
 
+public:
+  // What the driver keeps for a box.
+  struct State
+  {
+    Exact_ranges box;
+    Vertex_indices vertices;   // on its boundary
+    int age = 0;               // changes since the coefficients were exact
+  };
+
+private:
   const Constraint_system_d m_system, m_equalities, m_closure;   // the last without inequations
   const System_layout m_layout;
   Exact_source m_source;
@@ -93,11 +103,10 @@ class Curve_subdivision
   Dense_preconditioner m_combinations;
   Local_box m_part;   // of the node: what may hold solutions
   bool m_has_rows = false;
-  static constexpr double m_least_gain = 0.1;
   const Solver_options& m_options;
   Run_control& m_control;
   Curve_vertices& m_vertices;
-  std::deque<Node> m_nodes;   // per level; stays where it is
+  Depth_first_subdivision<NT> m_driver;
   const std::vector<double>& m_domain_widths;
   std::vector<std::size_t> m_open_inequalities;   // of the node
   Singular_branch_finder m_singular_branches;
@@ -109,7 +118,7 @@ class Curve_subdivision
 public:
   Curve_subdivision(const Constraint_system_d& system, const Exact_ranges& cell, const std::vector<double>& domain_widths, const Solver_options& options, Run_control& control, Curve_findings& findings)
     : m_system(on_cell(system, cell)), m_equalities(equalities_of(m_system)), m_closure(without_inequations(m_system)), m_layout(m_system), m_source(m_system, m_layout), m_summary(findings.summary),
-      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding), m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(findings.vertices),
+      m_analysis(m_layout, m_source, m_summary, Traits::tracks_rounding), m_graph(m_layout.dimension, m_layout.equalities), m_options(options), m_control(control), m_vertices(findings.vertices), m_driver(m_layout),
       m_domain_widths(domain_widths), m_singular_branches(m_system, domain_widths, findings.vertices), m_pieces(findings.pieces), m_undecided(findings.undecided), m_pending(findings.pending)
   {}
 
@@ -121,81 +130,79 @@ public:
     const Exact_ranges& cell = task.box;
     Vertex_indices vertices(task.vertices.size());
     std::iota(vertices.begin(), vertices.end(), std::size_t(0));
-    Node& root = level(0);
+    Node& root = m_driver.root();
     for (std::size_t j = 0; j < cell.size(); ++j)
       std::tie(root.lower[j], root.upper[j]) = dyadic_hull<Coordinate>(cell[j].first, cell[j].second, m_options.precision);
     m_source.set_home(Cell(cell.size(), 0), std::span<const Coordinate>(root.lower), std::span<const Coordinate>(root.upper));
     m_analysis.rebuild(Cell(cell.size(), 0), root);
-    subdivide(0, cell, std::move(vertices), task.depth, 0);
+    m_driver.run(*this, State{cell, std::move(vertices)}, task.depth);
     m_source.leave_home();
   }
 
+  // For the driver: false when a limit or the budget is reached.
+  bool goes_on(const Node&, State& state, int depth)
+  {
+    if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
+      m_undecided.push_back({std::move(state.box), std::move(state.vertices), reason});
+      return false;
+    }
+    if (m_summary.nodes >= m_budget) {
+      m_pending.push_back({domain_of(m_system), std::move(state.box), std::move(state.vertices), depth});
+      return false;
+    }
+    ++m_summary.nodes;
+    m_summary.depth = (std::max)(m_summary.depth, depth);
+    return true;
+  }
+
+  Box_verdict examine(Node& node, State& state, int depth)
+  {
+    constexpr int oldest = 12;   // rounding errors do not matter yet
+    auto& [box, vertices, age] = state;
+    if (age == oldest) {
+      m_analysis.rebuild(Cell(box.size(), 0), node);
+      age = 0;
+    }
+    ++age;
+    m_analysis.look_at(node);
+    if (is_excluded() || is_empty_or_graph(m_analysis.view, box, vertices))
+      return Box_verdict::DONE;
+    m_part.reset(m_layout.dimension);
+    if (!contract_by_rows(m_analysis.view))
+      return Box_verdict::DONE;
+    if (Node_view* combined = is_worth_a_pass(node) ? nullptr : combined_equalities())
+      if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
+        return Box_verdict::DONE;
+    if (is_worth_a_pass(node) && shrink(node, box)) {
+      std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });   // of which nothing was proved: there is none
+      return Box_verdict::AGAIN;
+    }
+    return has_singular_point(box, vertices, depth) ? Box_verdict::DONE : Box_verdict::SPLIT;
+  }
+
+  // None for a box that is too small.
+  std::optional<Box_split<State>> split(const Node& node, State& state, int)
+  {
+    const std::optional<Plane> plane = plane_of_split(node, state.box, state.vertices);
+    if (!plane) {
+      m_undecided.push_back({std::move(state.box), std::move(state.vertices), Undecided_reason::TOLERANCE});
+      return std::nullopt;
+    }
+    auto [below, above] = distributed(state.vertices, *plane);
+    Exact_ranges lower_box = std::move(state.box), upper_box = lower_box;
+    upper_box[plane->axis].first = lower_box[plane->axis].second = plane->value;
+    return Box_split<State>{plane->axis, plane->place, {std::move(lower_box), std::move(below), state.age}, {std::move(upper_box), std::move(above), state.age}};
+  }
+
 private:
-  struct Split
+  // That a box is split along, with the vertices on it.
+  struct Plane
   {
     int axis;
     double place;   // between the ends of the node
     Exact_rational value;
     Vertex_indices vertices;
   };
-
-  Node& level(std::size_t index)
-  {
-    while (m_nodes.size() <= index)
-      m_nodes.emplace_back().allocate(m_layout);
-    return m_nodes[index];
-  }
-
-  // The lower part of a split stays in its place, the upper part goes one level up and is finished first. `age` counts the changes since the coefficients were exact.
-  void subdivide(std::size_t index, Exact_ranges box, Vertex_indices vertices, int depth, int age)
-  {
-    constexpr int oldest = 12;   // rounding errors do not matter yet
-    Node& node = level(index);
-    for (;;) {
-      if (const Undecided_reason reason = limit(); reason != Undecided_reason::NONE) {
-        m_undecided.push_back({std::move(box), std::move(vertices), reason});
-        return;
-      }
-      if (m_summary.nodes >= m_budget) {
-        m_pending.push_back({domain_of(m_system), std::move(box), std::move(vertices), depth});
-        return;
-      }
-      ++m_summary.nodes;
-      m_summary.depth = (std::max)(m_summary.depth, depth);
-      if (age == oldest) {
-        m_analysis.rebuild(Cell(box.size(), 0), node);
-        age = 0;
-      }
-      ++age;
-      m_analysis.look_at(node);
-      if (is_excluded() || is_empty_or_graph(m_analysis.view, box, vertices))
-        return;
-      m_part.reset(m_layout.dimension);
-      if (!contract_by_rows(m_analysis.view))
-        return;
-      if (Node_view* combined = is_worth_a_pass(node) ? nullptr : combined_equalities())
-        if (is_empty_or_graph(*combined, box, vertices) || !contract_by_rows(*combined))
-          return;
-      if (is_worth_a_pass(node) && shrink(node, box)) {
-        std::erase_if(vertices, [&](std::size_t i) { return !touch(m_vertices[i].box, box); });   // of which nothing was proved: there is none
-        continue;
-      }
-      if (has_singular_point(box, vertices, depth))
-        return;
-      std::optional<Split> split = split_of(node, box, vertices);
-      if (!split) {
-        m_undecided.push_back({std::move(box), std::move(vertices), Undecided_reason::TOLERANCE});
-        return;
-      }
-      ++depth;
-      node.split(m_layout, split->axis, split->place, level(index + 1));
-      const auto [below, above] = distributed(vertices, *split);
-      Exact_ranges upper_box = box;
-      upper_box[split->axis].first = box[split->axis].second = split->value;
-      subdivide(index + 1, std::move(upper_box), above, depth, age);
-      vertices = below;
-    }
-  }
 
   Undecided_reason limit()
   {
@@ -245,28 +252,18 @@ private:
     return m_analysis.linear.contract_by_preconditioned(m_part);
   }
 
-  // Not below the tolerance, and no axis becomes a small part of its width at once: one that collapses would hide the others.
-  double least_share(const Node& node, int j) const
+  // Nothing shrinks below the tolerance.
+  auto least_shares(const Node& node) const
   {
-    constexpr double thinnest = 0x1p-10;
-    return (std::min)(1.0, (std::max)(thinnest, m_options.tolerance * magnitude(node, j) / width(node, j)));
+    return [this, &node](int j) { return m_options.tolerance * magnitude(node, j) / width(node, j); };
   }
 
-  bool is_worth_a_pass(const Node& node) const
-  {
-    double volume = 1;
-    for (int j = 0; j < m_layout.dimension; ++j)
-      if (const double width = (std::max)(m_part.width(j), least_share(node, j)); width <= 1 - m_least_gain)
-        volume *= width;
-    return volume <= 0.5;
-  }
+  bool is_worth_a_pass(const Node& node) const { return Box_contraction::is_worth_a_pass(m_part, least_shares(node)); }
 
   // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its vertices. False when it stays as it is.
   bool shrink(Node& node, Exact_ranges& box)
   {
-    for (int j = 0; j < m_layout.dimension; ++j)
-      m_part.widen(j, least_share(node, j));
-    node.restrict_to(m_layout, m_part, m_least_gain);
+    Box_contraction::shrink(node, m_layout, m_part, least_shares(node));
     bool is_smaller = false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const Exact_rational lower(node.lower[j]), upper(node.upper[j]);
@@ -296,17 +293,17 @@ private:
   }
 
   // Those on the plane of a split belong to both parts.
-  std::pair<Vertex_indices, Vertex_indices> distributed(const Vertex_indices& vertices, const Split& split) const
+  std::pair<Vertex_indices, Vertex_indices> distributed(const Vertex_indices& vertices, const Plane& plane) const
   {
-    std::pair<Vertex_indices, Vertex_indices> result{split.vertices, split.vertices};
+    std::pair<Vertex_indices, Vertex_indices> result{plane.vertices, plane.vertices};
     for (const std::size_t i : vertices)
-      if (std::find(split.vertices.begin(), split.vertices.end(), i) == split.vertices.end())
-        (m_vertices[i].box[split.axis].second <= split.value ? result.first : result.second).push_back(i);
+      if (std::find(plane.vertices.begin(), plane.vertices.end(), i) == plane.vertices.end())
+        (m_vertices[i].box[plane.axis].second <= plane.value ? result.first : result.second).push_back(i);
     return result;
   }
 
   // A plane that the curves cross, if there are solutions on it at all, and that is not too close to a known vertex or singular point. There are many planes through a small box that will do, unless it is too small.
-  std::optional<Split> split_of(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices)
+  std::optional<Plane> plane_of_split(const Node& node, const Exact_ranges& box, const Vertex_indices& vertices)
   {
     constexpr double far = 0.2;
     const Exact_point* singular_point = m_singular_branches.known_point_in(box);
@@ -318,7 +315,7 @@ private:
         if (singular_point && CGAL::to_double(Exact_rational(CGAL::abs((*singular_point)[axis] - value))) < far * width(node, axis))
           continue;
         if (auto on_plane = m_vertices.on_plane(m_equalities, box, axis, value, vertices, true))
-          return Split{axis, place, value, std::move(*on_plane)};
+          return Plane{axis, place, value, std::move(*on_plane)};
       }
     return std::nullopt;
   }
