@@ -49,6 +49,17 @@ struct Curvature_quotient
 {
   Interval f, q, fu, qu, fv, qv, fvv, qvv, fuv, quv;
 
+  // The common part with the mean value forms around the middle of the ranges.
+  Curvature_quotient around(const Curvature_quotient& middle, const Interval& shift_u, const Interval& shift_v) const
+  {
+    Curvature_quotient k = *this;
+    k.fv = common_part(fv, middle.fv + fuv * shift_u + fvv * shift_v);
+    k.qv = common_part(qv, middle.qv + quv * shift_u + qvv * shift_v);
+    k.f = common_part(f, middle.f + fu * shift_u + k.fv * shift_v);
+    k.q = common_part(q, middle.q + qu * shift_u + k.qv * shift_v);
+    return k;
+  }
+
   Curvature_bounds bounds() const
   {
     Curvature_bounds k;

@@ -167,8 +167,17 @@ private:
     const auto size = [](const Interval_pair& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
-    const double seen = size(part.jet.point) + turn;
+    const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds);
     return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5;
+  }
+
+  // Where nothing is known of the curvature, beside the front, only the way of the touching point counts: to split the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller the part is already.
+  static double relevance_of_turn(const Front_part& part, const Curvature_bounds& k)
+  {
+    if (!std::isfinite(k.value.sup()))
+      return 0;
+    const bool has_one_maximum = certain_sign(k.dv) != 0 || k.dvv.sup() < 0;
+    return has_one_maximum ? 1 : std::clamp(64 * part.range.width(), 1.0 / 64, 0.25);
   }
 
   void split(const Front_part& part, const Disk_candidate& candidate, std::vector<Disk_candidate>& parts) const

@@ -43,7 +43,7 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     const Front& front = m_graph.fronts()[part.front];
-    Curvature_bounds result = general(part.jet, jet);
+    Curvature_bounds result = centered(part, arc, range, jet).bounds();
     if (!front.is_fan && front.object == arc)
       result = common_part(result, within_arc(part, arc, range));
     for (const bool is_end : {false, true})
@@ -57,7 +57,7 @@ public:
     const Front& front = m_graph.fronts()[part.front];
     Curve_jet jet{};
     jet[0] = m_graph.vertices()[vertex].point;
-    Curvature_bounds result = general(part.jet, jet);
+    Curvature_bounds result = quotient(part.jet, jet).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
@@ -92,7 +92,18 @@ public:
 private:
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
-  static Curvature_bounds general(const Front_jet& x, const Curve_jet& y)
+  // With mean value forms around the middles of both ranges: <N, Y - X> is small beside both factors where curves are nearly parallel.
+  Curvature_quotient centered(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Curvature_quotient k = quotient(part.jet, jet);
+    if (part.range.is_number() && range.is_number())
+      return k;
+    const double u = part.range.middle(), v = range.middle();
+    const Curvature_quotient middle = quotient(m_graph.front_jet(m_graph.fronts()[part.front], {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
+    return k.around(middle, part.range.interval() - Interval(u), range.interval() - Interval(v));
+  }
+
+  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y)
   {
     const Interval two(2);
     const Interval_pair d = y[0] - x.point;
@@ -107,7 +118,7 @@ private:
     k.qvv = two * (squared_norm(y[1]) + dot(d, y[2]));
     k.fuv = two * dot(x.normal_derivative, y[1]);
     k.quv = -two * dot(x.point_derivative, y[1]);
-    return k.bounds();
+    return k;
   }
 
   /*
