@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -80,7 +82,7 @@ Row j of a bound on |I - C J|, for a row of C and derivative bounds `lower(i, k)
 their sum, in any rounding mode.
 */
 template <class Lower, class Upper>
-double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
+BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
 {
   double sum = 0;
   for (int k = 0; k < n; ++k) {
