@@ -225,23 +225,28 @@ public:
     accumulate(size, [](const Numbers& x, const double*, Numbers&, Numbers&, Numbers& total) { total += x; });
   }
 
-  // What the linear rows cannot do without: elimination in place, in which each pivot waits for the one before; the products of the inverse with rows and right-hand sides, of these with middles and radii;
-  // and per row a quotient and what the other unknowns add to the radius.
+  // What the linear rows cannot do without: the sizes of the rows, for weights and rounding errors; elimination in place, in which each pivot waits for the one before, with as many comparisons as it takes to find the
+  // largest entry that is left, and with the radii of the right-hand sides; the products of the inverse with rows and right-hand sides, of these with middles, radii and sizes; and per row a quotient and what the other
+  // unknowns add to the radius.
   template <int n>
   void precondition()
   {
-    const Square<n> rows = some_rows<n>(), inverse = eliminate<n>(rows), product = multiply<n>(inverse, rows);
+    const Square<n> rows = some_rows<n>(), inverse = eliminate<n>(rows, [&](const Square<n>& left, auto k) { weigh<n>(left, k); }), product = multiply<n>(inverse, rows);
+    std::array<double, n> size{};
+    unroll<n>([&](auto i) { unroll<n>([&](auto k) { size[i] += std::abs(rows[i][k]); }); });
     unroll<n>([&](auto i) {
-      double middle = 0, radius = 0;
+      double middle = 0, radius = 0, rounding = 0;
       unroll<n>([&](auto k) {
         m_third[i * n + k] = product[i][k];
         middle += inverse[i][k] * m_fourth[k];
         radius += std::abs(inverse[i][k]) * m_fourth[n + k];
+        rounding += std::abs(inverse[i][k]) * size[k];
       });
+      radius += 0x1p-45 * rounding;
       unroll<n>([&](auto j) { radius += j == i ? 0 : std::abs(product[i][j]); });
       const double factor = 1 / product[i][i];
       m_second[2 * i] = middle * factor;
-      m_second[2 * i + 1] = radius * factor;
+      m_second[2 * i + 1] = radius * std::abs(factor);
     });
     wait_for(m_first[0], m_second[0]);
   }
@@ -249,7 +254,7 @@ public:
   template <int n>
   void invert()
   {
-    const Square<n> inverse = eliminate<n>(some_rows<n>());
+    const Square<n> inverse = eliminate<n>(some_rows<n>(), [](const Square<n>&, auto) {});
     unroll<n>([&](auto i) { unroll<n>([&](auto j) { m_third[i * n + j] = inverse[i][j]; }); });
     wait_for(m_first[0], m_third[0]);
   }
@@ -266,10 +271,26 @@ private:
     return rows;
   }
 
+  // The largest entry of the rows and columns from the k-th on, each row with a weight.
   template <int n>
-  static Square<n> eliminate(Square<n> rows)
+  void weigh(const Square<n>& rows, int k)
+  {
+    double largest = 0;
+    for (int i = k; i < n; ++i) {
+      double entry = 0;
+      for (int j = k; j < n; ++j)
+        entry = greater(entry, std::abs(rows[i][j]));
+      largest = greater(largest, entry * m_fourth[2 * n + i]);
+    }
+    m_fourth[3 * n + k] = largest;
+  }
+
+  // Calls weigh(rows, k) before the k-th pivot.
+  template <int n, class Weigh>
+  static Square<n> eliminate(Square<n> rows, const Weigh& weigh)
   {
     unroll<n>([&](auto k) {
+      weigh(rows, k);
       const double factor = 1 / rows[k][k];
       rows[k][k] = 1;
       unroll<n>([&](auto j) { rows[k][j] *= factor; });

@@ -38,21 +38,52 @@ inline void sum_slopes(const Tensor_shape& shape, const double* data, const doub
   });
 }
 
-// The least and the largest of the numbers less `base` and, for the axes from `axis` on, slope times abscissa, as far as they are less or larger than given ones. The abscissas of the axes follow each other.
-template <int axes, int axis = 0, class Number>
-inline void bound_rest(const Tensor_shape& shape, const double* data, const double* abscissas, const Number (&slopes)[axes], const Number& base, Number& least, Number& most)
+// What slope times abscissa leaves of the numbers along the last axis, `step` places apart: the least and the largest. `degree` is that of the axis if it is known to the compiler, else 0.
+template <int degree, class Number>
+class Last_axis
 {
-  const int degree = shape.degrees[axis];
-  const std::size_t inner = shape.lengths[axis + 1];
-  for (int k = 0; k <= degree; ++k, data += inner) {
-    const Number line = base + slopes[axis] * abscissas[k];
-    if constexpr (axis + 1 < axes)
-      bound_rest<axes, axis + 1>(shape, data, abscissas + degree + 1, slopes, line, least, most);
-    else {
-      const Number rest = load(Number(), data) - line;
+  Number m_offsets[degree + 1];   // slope times abscissa
+  Number m_slope;
+  const double* m_abscissas;
+  int m_degree;
+  std::size_t m_step;
+
+public:
+  Last_axis(const Number& slope, const double* abscissas, int given_degree, std::size_t step)
+    : m_slope(slope), m_abscissas(abscissas), m_degree(given_degree), m_step(step)
+  {
+    unroll<degree + 1>([&](auto k) { m_offsets[k] = slope * abscissas[k]; });
+  }
+
+  std::pair<Number, Number> bounds(const double* data) const
+  {
+    Number least = load(Number(), data) - m_offsets[0], most = least;
+    const auto add = [&](const Number& rest) {
       least = lesser(least, rest);
       most = greater(most, rest);
-    }
+    };
+    if constexpr (degree > 0)
+      unroll<degree>([&](auto k) { add(load(Number(), data + (k + 1) * m_step) - m_offsets[k + 1]); });
+    else
+      for (int k = 1; k <= m_degree; ++k)
+        add(load(Number(), data + k * m_step) - m_slope * m_abscissas[k]);
+    return {least, most};
+  }
+};
+
+// The least and the largest of the numbers less `base` and, for the axes from `axis` on, slope times abscissa, as far as they are less or larger than given ones. The abscissas of the axes follow each other.
+template <int axes, int axis = 0, class Line, class Number>
+inline void bound_rest(const Tensor_shape& shape, const double* data, const double* abscissas, const Number (&slopes)[axes], const Line& last, const Number& base, Number& least, Number& most)
+{
+  if constexpr (axis + 1 == axes) {
+    const auto [lower, upper] = last.bounds(data);
+    least = lesser(least, lower - base);
+    most = greater(most, upper - base);
+  } else {
+    const int degree = shape.degrees[axis];
+    const std::size_t inner = shape.lengths[axis + 1];
+    for (int k = 0; k <= degree; ++k, data += inner)
+      bound_rest<axes, axis + 1>(shape, data, abscissas + degree + 1, slopes, last, base + slopes[axis] * abscissas[k], least, most);
   }
 }
 

@@ -81,10 +81,10 @@ constexpr int most_degree_in_registers = 10;
 template <int degree, class Number, class Mean, class Keep>
 inline void keep_before(Number (&b)[degree + 1], const Mean& mean, const Keep& keep)
 {
-  keep(degree, b[degree]);
+  keep(std::integral_constant<int, degree>(), b[degree]);
   unroll<degree>([&](auto level) {
     unroll<degree - level>([&](auto i) { b[degree - i] = mean(b[degree - i - 1], b[degree - i]); });
-    keep(degree - 1 - level, b[degree]);
+    keep(std::integral_constant<int, degree - 1 - level>(), b[degree]);
   });
 }
 
@@ -94,24 +94,31 @@ inline void keep_after(Number (&b)[degree + 1], const Mean& mean)
   unroll<degree>([&](auto level) { unroll<degree - level>([&](auto k) { b[k] = mean(b[k], b[k + 1]); }); });
 }
 
-// Calls change(b, position) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`.
+// Calls change(b, position, inner) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`. Two lines that make up a pack, as those of planar curves,
+// have places that are known to the compiler.
 template <int degree, class Change>
-inline void change_lines(double* data, const Axis_view& view, const Change& change)
+BOOST_FORCEINLINE void change_lines(double* data, const Axis_view& view, const Change& change)
 {
-  const std::size_t inner = view.inner, outer = view.outer;
-  const auto change_at = [&]<class Number>(const Number&, std::size_t position) {
+  const std::size_t outer = view.outer;
+  const auto change_at = [&]<class Number>(const Number&, std::size_t position, auto inner) {
     Number b[degree + 1];
     unroll<degree + 1>([&](auto k) { b[k] = load(Number(), data + position + k * inner); });
-    change(b, position);
+    change(b, position, inner);
     unroll<degree + 1>([&](auto k) { store(data + position + k * inner, b[k]); });
   };
+  if (view.inner == pack_size) {
+    for (std::size_t o = 0; o < outer; ++o)
+      change_at(Pack(), o * pack_size * (degree + 1), std::integral_constant<std::size_t, pack_size>());
+    return;
+  }
+  const std::size_t inner = view.inner;
   for (std::size_t o = 0; o < outer; ++o) {
     std::size_t position = o * inner * (degree + 1);
     const std::size_t end = position + inner;
     for (; position + pack_size <= end; position += pack_size)
-      change_at(Pack(), position);
+      change_at(Pack(), position, inner);
     for (; position < end; ++position)
-      change_at(0.0, position);
+      change_at(0.0, position, inner);
   }
 }
 
@@ -121,8 +128,8 @@ struct Split_lines
   template <int degree>
   static void run(double* data, double* after, const Axis_view& view, Mean mean)
   {
-    change_lines<degree>(data, view, [=, inner = view.inner](auto& b, std::size_t position) {
-      keep_before<degree>(b, mean, [=](std::size_t k, const auto& x) { store(after + position + k * inner, x); });
+    change_lines<degree>(data, view, [=](auto& b, std::size_t position, auto inner) {
+      keep_before<degree>(b, mean, [=](auto k, const auto& x) { store(after + position + k * inner, x); });
     });
   }
 };
@@ -133,11 +140,11 @@ struct Restrict_lines
   template <int degree>
   static void run(double* data, const Axis_view& view, Mean first, Mean second, bool cuts_before, bool cuts_after)
   {
-    change_lines<degree>(data, view, [=](auto& b, std::size_t) {
+    change_lines<degree>(data, view, [=](auto& b, std::size_t, auto) {
       if (cuts_before)
         keep_after<degree>(b, first);
       if (cuts_after)
-        keep_before<degree>(b, second, [](std::size_t, const auto&) {});
+        keep_before<degree>(b, second, [](auto, const auto&) {});
     });
   }
 };

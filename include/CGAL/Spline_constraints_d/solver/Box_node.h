@@ -100,8 +100,12 @@ void copy_numbers(const T* from, std::size_t count, T* to)
   constexpr std::size_t few = 64;
   if (count > few || !std::is_arithmetic_v<T>)
     std::copy_n(from, count, to);
-  else if constexpr (std::is_same_v<T, double>)
+  else if constexpr (std::is_same_v<T, double>) {
+    constexpr std::size_t step = 4 * pack_size;
+    for (; count >= step; count -= step, from += step, to += step)
+      unroll<4>([=](auto k) { store(to + k * pack_size, load(Pack(), from + k * pack_size)); });
     for_each_place(count, [=](auto type, std::size_t i) { store(to + i, load(type, from + i)); });
+  }
   else
     for (std::size_t i = 0; i < count; ++i)
       to[i] = from[i];
@@ -177,7 +181,13 @@ private:
       return node.m_bounds.data();
   }
 
-  void copy_places(const Place_range& range, const Box_node& other) { copy_numbers(other.m_numbers.data() + range.begin, range.end - range.begin, m_numbers.data() + range.begin); }
+  // As far as there are such places: bounds lie behind the coefficients only of doubles.
+  void copy_places(const Place_range& range, const Box_node& other)
+  {
+    const std::size_t end = has_errors ? range.end : (std::min)(range.end, m_size);
+    if (range.begin < end)
+      copy_numbers(other.m_numbers.data() + range.begin, end - range.begin, m_numbers.data() + range.begin);
+  }
 
   // One by one: an end that was set just now is not yet there for who reads two at a time.
   void copy_box(const Box_node& other)
@@ -225,8 +235,6 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
   }
   for (const Place_range& range : layout.ranges_without_axis[axis])
     above.copy_places(range, *this);
-  if constexpr (has_errors)
-    above.copy_places({m_size, m_numbers.size()}, *this);
   above.copy_box(*this);
   upper[axis] = cut;
   above.lower[axis] = cut;

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +25,51 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
+A square matrix of a size that is known to the compiler, two rows in one register.
+*/
+template <int n>
+struct Columns_in_registers
+{
+  static constexpr int packs = n / pack_size;
+
+  Pack pairs[n][packs + 1];   // of rows, per column; one more, since there are no arrays of none
+  double last_row[n];
+
+  Columns_in_registers() = default;
+
+  // From an array of columns. These were written one by one just now, and are not read in pairs.
+  explicit Columns_in_registers(const double* columns)
+  {
+    unroll<n>([&](auto i) {
+      unroll<packs>([&](auto r) { pairs[i][r] = Pack(columns[i * n + r * pack_size], columns[i * n + r * pack_size + 1]); });
+      last_row[i] = columns[i * n + n - 1];
+    });
+  }
+
+  Columns_in_registers absolute() const
+  {
+    Columns_in_registers result;
+    unroll<n>([&](auto i) {
+      unroll<packs>([&](auto r) { result.pairs[i][r] = magnitude(pairs[i][r]); });
+      result.last_row[i] = magnitude(last_row[i]);
+    });
+    return result;
+  }
+
+  BOOST_FORCEINLINE void multiply(const double* from, double* to) const
+  {
+    const auto product = [&](const auto& entry) {
+      auto sum = entry(std::integral_constant<int, 0>()) * from[0];
+      unroll<n - 1>([&](auto i) { sum = sum + entry(std::integral_constant<int, i + 1>()) * from[i + 1]; });
+      return sum;
+    };
+    unroll<packs>([&](auto r) { store(to + r * pack_size, product([&](auto i) { return pairs[i][r]; })); });
+    if constexpr (n % pack_size != 0)
+      store(to + n - 1, product([&](auto i) { return last_row[i]; }));
+  }
+};
+
+/*
 The control points of C f, formed block by block: at most n^2 multiplications per control point. Tighter than the affine rows, since the cancellation between the equations happens before the
 bounds are taken, where they share blocks.
 */
@@ -33,7 +80,7 @@ class Dense_preconditioner
   System_layout m_layout;   // of what is formed
   std::unique_ptr<Node_view> m_view;
   std::vector<std::size_t> m_block;          // of the source
-  std::vector<double> m_coefficients, m_errors;
+  std::vector<double> m_coefficients, m_errors, m_source_errors;
   std::vector<double> m_work, m_matrix, m_columns;
 
 public:
@@ -64,10 +111,11 @@ public:
   // The preconditioned equalities of a square system as a node of their own; null when the mean slopes are singular.
   Node_view* apply(Node_view& node)
   {
-    const std::size_t n = m_layout.equalities;
-    for (std::size_t i = 0; i < n; ++i)
-      std::copy_n(node.slopes(static_cast<int>(i)), n, m_work.begin() + i * n);
-    return invert(static_cast<int>(n), m_work, m_matrix) ? &formed(node) : nullptr;
+    const int n = m_layout.equalities;
+    const double* slopes = node.slopes(0);
+    for (int i = 0; i < n * n; ++i)   // no call for a few numbers
+      m_work[i] = slopes[i];
+    return invert(n, m_work, m_matrix) ? &formed(node) : nullptr;
   }
 
   // The same with a given matrix, row by row. It needs no proof: a solution of f solves C f whatever C is.
@@ -80,20 +128,15 @@ public:
 private:
   Node_view& formed(Node_view& node)
   {
-    const std::size_t n = m_layout.equalities;
     for (std::size_t b = 0; b < m_block.size(); ++b) {
       const Block &source = m_source->blocks[m_block[b]], &target = m_layout.blocks[b];
       const std::size_t members = select_columns(source);
-      multiply(node.coefficients() + source.offset, source.functions.size(), members, target.points, m_coefficients.data() + target.offset);
-      for (std::size_t j = 0; j < n; ++j) {
-        double error = 0;
-        for (std::size_t i = 0; i < members; ++i) {
-          const std::size_t entry = source.first_error + i;
-          const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
-          error += std::abs(m_columns[i * n + j]) * (node.errors()[entry] + analysis_error * size);
-        }
-        m_errors[target.first_error + j] = error * (1 + analysis_error);
+      for (std::size_t i = 0; i < members; ++i) {
+        const std::size_t entry = source.first_error + i;
+        const double size = (std::max)(std::abs(node.block_lower(entry)), std::abs(node.block_upper(entry)));
+        m_source_errors[i] = (node.errors()[entry] + analysis_error * size) * (1 + m_layout.equalities * analysis_error);
       }
+      multiply(node.coefficients() + source.offset, source.functions.size(), members, target.points, m_coefficients.data() + target.offset, m_errors.data() + target.first_error);
     }
     m_view->reset(m_coefficients.data(), m_errors.data());
     return *m_view;
@@ -115,42 +158,29 @@ private:
     return members;
   }
 
-  // to <- C from, control point by control point; sizes known to the compiler where it pays.
-  void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to) const
+  // to <- C from, control point by control point, and errors <- |C| errors of the source; sizes known to the compiler where it pays.
+  void multiply(const double* from, std::size_t stride, std::size_t members, std::size_t points, double* to, double* errors) const
   {
     run_with_constant<6>(static_cast<int>(members) == m_layout.equalities ? members : 0, [&](auto size) {
       if constexpr (size > 0)
-        multiply_fixed<size>(from, stride, points, to);
+        multiply_fixed<size>(from, stride, points, to, errors);
       else {
         const Eigen::Index rows = m_layout.equalities, columns = static_cast<Eigen::Index>(members), count = static_cast<Eigen::Index>(points);
         const Eigen::Map<const Eigen::MatrixXd> matrix(m_columns.data(), rows, columns);
         const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> source(from, columns, count, Eigen::OuterStride<>(static_cast<Eigen::Index>(stride)));
         Eigen::Map<Eigen::MatrixXd>(to, rows, count).noalias() = matrix.lazyProduct(source);
+        Eigen::Map<Eigen::VectorXd>(errors, rows).noalias() = matrix.cwiseAbs().lazyProduct(Eigen::Map<const Eigen::VectorXd>(m_source_errors.data(), columns));
       }
     });
   }
 
-  // The columns of C stay in registers, two rows in one.
   template <int n>
-  void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to) const
+  void multiply_fixed(const double* from, std::size_t stride, std::size_t points, double* to, double* errors) const
   {
-    constexpr int packs = n / pack_size;
-    Pack columns[n][packs + 1];   // one more, since there are no arrays of none
-    double last_row[n];
-    unroll<n>([&](auto i) {
-      unroll<packs>([&](auto r) { columns[i][r] = load(Pack(), m_columns.data() + i * n + r * pack_size); });
-      last_row[i] = m_columns[i * n + n - 1];
-    });
-    const auto product = [&](const auto& entry) {
-      auto sum = entry(std::integral_constant<int, 0>()) * from[0];
-      unroll<n - 1>([&](auto i) { sum = sum + entry(std::integral_constant<int, i + 1>()) * from[i + 1]; });
-      return sum;
-    };
-    for (std::size_t p = 0; p < points; ++p, from += stride, to += n) {
-      unroll<packs>([&](auto r) { store(to + r * pack_size, product([&](auto i) { return columns[i][r]; })); });
-      if constexpr (n % pack_size != 0)
-        store(to + n - 1, product([&](auto i) { return last_row[i]; }));
-    }
+    const Columns_in_registers<n> matrix(m_columns.data());
+    for (std::size_t p = 0; p < points; ++p, from += stride, to += n)
+      matrix.multiply(from, to);
+    matrix.absolute().multiply(m_source_errors.data(), errors);
   }
 
   void lay_out(const System_layout& source)
@@ -172,6 +202,7 @@ private:
     m_view = std::make_unique<Node_view>(m_layout);
     m_coefficients.resize(m_layout.size);
     m_errors.resize(m_layout.errors);
+    m_source_errors.resize(source.equalities);
     for (auto* matrix : {&m_work, &m_matrix, &m_columns})
       matrix->resize(source.equalities * source.equalities);
   }

@@ -8,6 +8,9 @@
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Row_elimination.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,23 +37,21 @@ class Linear_enclosure
   std::vector<double> m_numbers;   // all of the following lies in one piece
   std::vector<int> m_indices;
   std::span<double> m_inverse;                         // C: equations x equations
-  std::span<double> m_work;                            // A, eliminated in place: the column of a pivot holds that of its row in C
   std::span<double> m_middle, m_half_width, m_size;    // of the right-hand sides; sums of absolute values of the rows
-  std::span<double> m_radius;                          // of the right-hand sides, carried through the elimination
   std::span<int> m_pivot_of_row;                       // unknown that a row was solved for, or -1
-  std::span<int> m_row_of;                             // of a pivot's unknown, or -1
+  std::span<int> m_row_of;                             // of a pivot's unknown
   std::span<double> m_product, m_lower, m_upper;       // C A and C g
   std::span<double> m_centre, m_reach;                 // per unknown: its row's bound, centre and half width
-  std::span<double> m_scale;
+  internal::Row_elimination<0> m_elimination;          // of more rows than it pays to tell apart
   int m_rank = 0;
 
 public:
   Linear_enclosure(int dimension, int equations)
-    : m_dimension(dimension), m_equations(equations)
+    : m_dimension(dimension), m_equations(equations), m_elimination(known_size() > 0 ? 0 : equations, known_size() > 0 ? 0 : dimension)
   {
     const std::size_t n = dimension, m = equations;
-    internal::allocate_parts<double>(m_numbers, {{&m_inverse, m * m}, {&m_work, m * n}, {&m_middle, m}, {&m_half_width, m}, {&m_size, m}, {&m_radius, m}, {&m_product, m * n},
-                                                 {&m_lower, m}, {&m_upper, m}, {&m_centre, n}, {&m_reach, n}, {&m_scale, m}});
+    internal::allocate_parts<double>(m_numbers, {{&m_inverse, m * m}, {&m_middle, m}, {&m_half_width, m}, {&m_size, m}, {&m_product, m * n},
+                                                 {&m_lower, m}, {&m_upper, m}, {&m_centre, n}, {&m_reach, n}});
     internal::allocate_parts<int>(m_indices, {{&m_pivot_of_row, m}, {&m_row_of, n}});
   }
   //! not copied: parts of it are looked at.
@@ -115,12 +116,14 @@ public:
   }
 
 private:
+  static constexpr int largest_known_size = 4;   // beyond, it does not matter
+  int known_size() const { return m_dimension == m_equations && m_dimension <= largest_known_size ? m_dimension : 0; }
+
   // run(integral_constant<int, size>), with the number of equations and of unknowns known to the compiler; 0: not known.
   template <class Run>
   void run_with_size(const Run& run) const
   {
-    constexpr int largest = 4;   // beyond, it does not matter
-    internal::run_with_constant<largest>(m_dimension == m_equations ? m_dimension : 0, run);
+    internal::run_with_constant<largest_known_size>(known_size(), run);
   }
 
   // `rest(i)`: the bounds of what the row leaves of an equation.
@@ -139,11 +142,9 @@ private:
   }
 
   template <int size>
-  void eliminate(Node_view& node);
-  template <int size>
-  void multiply(Node_view& node);
-  template <int size>
-  void bound_unknowns();
+  void precondition_with(Node_view& node, internal::Row_elimination<size>& elimination);
+  template <int size, class Row>
+  void multiply(const internal::Row_elimination<size>& elimination, Row row, const double* slopes);
   template <int size>
   bool contract_by_row(const double* row, double lower, double upper, Local_box& box) const;
 };
@@ -187,124 +188,77 @@ bool Linear_enclosure::contract_by_row(const double* row, double lower, double u
 inline void Linear_enclosure::precondition(Node_view& node)
 {
   run_with_size([&](auto size) {
-    eliminate<size>(node);
-    multiply<size>(node);
-    if (has_inverse())
-      bound_unknowns<size>();
+    if constexpr (size > 0) {
+      internal::Row_elimination<size> elimination(size, size);
+      precondition_with<size>(node, elimination);
+    } else
+      precondition_with<size>(node, m_elimination);
   });
 }
 
-// Gauss-Jordan with full pivoting, rows weighed by what they can still contract: a row whose interval part is larger than half its pivot bounds nothing and would
-// only blur the others, so elimination stops there (in a huge box the linear equations are solved and the rest waits).
 template <int size>
-void Linear_enclosure::eliminate(Node_view& node)
+void Linear_enclosure::precondition_with(Node_view& node, internal::Row_elimination<size>& elimination)
 {
-  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
-  m_rank = 0;
+  const int n = elimination.columns(), m = elimination.rows();
   const double* slopes = m == 0 ? nullptr : node.slopes(0);
   for (int i = 0; i < m; ++i) {
     double row_size = 0;
-    for (int k = 0; k < n; ++k) {
-      m_work[i * n + k] = slopes[i * n + k];
+    for (int k = 0; k < n; ++k)
       row_size += std::abs(slopes[i * n + k]);
-    }
     const double lo = node.rest_lower(i), hi = node.rest_upper(i);
     m_middle[i] = 0.5 * (lo + hi);
-    m_half_width[i] = m_radius[i] = 0.5 * (hi - lo);
+    m_half_width[i] = 0.5 * (hi - lo);
     m_size[i] = (std::max)(std::abs(lo), std::abs(hi)) + row_size;
-    const double total = row_size + 2 * m_radius[i];
-    m_scale[i] = total > 0 ? 1 / total : 0;
-    m_pivot_of_row[i] = -1;
+    elimination.set_row(i, slopes + i * n, row_size, m_half_width[i]);
   }
-  std::fill_n(m_row_of.begin(), n, -1);
-  while (m_rank < m && m_rank < n) {
-    int pivot_row = -1, pivot = -1;
-    double best = 1e-16;
-    for (int i = 0; i < m; ++i) {
-      if (m_pivot_of_row[i] >= 0)
-        continue;
-      const double *row = m_work.data() + i * n, scale = m_scale[i], least = 2 * m_radius[i];
-      for (int k = 0; k < n; ++k) {
-        const double a = std::abs(row[k]);
-        if (m_row_of[k] < 0 && a * scale > best && least < a) {
-          best = a * scale;
-          pivot_row = i;
-          pivot = k;
-        }
-      }
-    }
-    if (pivot_row < 0)
-      break;
-    ++m_rank;
-    m_pivot_of_row[pivot_row] = pivot;
-    m_row_of[pivot] = pivot_row;
-    double* row = m_work.data() + pivot_row * n;
-    const double factor = 1 / row[pivot];
-    for (int k = 0; k < n; ++k)
-      row[k] = k == pivot ? factor : factor * row[k];
-    m_radius[pivot_row] *= std::abs(factor);
-    for (int i = 0; i < m; ++i) {
-      double* other = m_work.data() + i * n;
-      const double a = other[pivot];
-      if (i == pivot_row || a == 0)
-        continue;
-      for (int k = 0; k < n; ++k)
-        other[k] = (k == pivot ? 0 : other[k]) - a * row[k];
-      m_radius[i] += std::abs(a) * m_radius[pivot_row];
-    }
-  }
-  std::fill_n(m_inverse.begin(), m * m, 0.0);
-  for (int i = 0; i < m; ++i) {
-    m_inverse[i * m + i] = 1;
-    for (int k = 0; k < m; ++k)
-      if (m_pivot_of_row[k] >= 0)
-        m_inverse[i * m + k] = m_work[i * n + m_pivot_of_row[k]];
-  }
+  elimination.run();
+  m_rank = elimination.rank();
+  const auto multiply_row = [&](auto row) { multiply<size>(elimination, row, slopes); };
+  if constexpr (size > 0)
+    internal::unroll<size>(multiply_row);
+  else
+    for (int row = 0; row < m; ++row)
+      multiply_row(row);
 }
 
-// C A and C g with their rounding errors, from the original rows: elimination may be as inaccurate as it likes.
-template <int size>
-void Linear_enclosure::multiply(Node_view& node)
+// A row of C A and C g with its rounding errors, from the original rows: elimination may be as inaccurate as it likes. What it says of its unknown: three roundings, of the reciprocal and
+// the products, are small beside the analysis error.
+template <int size, class Row>
+BOOST_FORCEINLINE void Linear_enclosure::multiply(const internal::Row_elimination<size>& elimination, Row row, const double* slopes)
 {
-  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
-  const double* slopes = m == 0 ? nullptr : node.slopes(0);
-  for (int i = 0; i < m; ++i) {
-    double* product = m_product.data() + i * n;
-    std::fill_n(product, n, 0.0);
-    double middle = 0, radius = 0, row_size = 0;
-    for (int k = 0; k < m; ++k) {
-      const double c = m_inverse[i * m + k];
-      if (c == 0)
-        continue;
-      for (int j = 0; j < n; ++j)
-        product[j] += c * slopes[k * n + j];
-      middle += c * m_middle[k];
-      radius += std::abs(c) * m_half_width[k];
-      row_size += std::abs(c) * m_size[k];
-    }
-    radius += internal::analysis_error * row_size;   // also covers the rounding of the products, as |s| <= 1/2
-    m_lower[i] = middle - radius;
-    m_upper[i] = middle + radius;
-  }
-}
-
-// Three roundings, of the reciprocal and the products, are small beside the analysis error.
-template <int size>
-void Linear_enclosure::bound_unknowns()
-{
-  const int n = size > 0 ? size : m_dimension, m = size > 0 ? size : m_equations;
-  for (int i = 0; i < m; ++i) {
-    const int pivot = m_pivot_of_row[i];
-    if (pivot < 0)
+  const int n = elimination.columns(), m = elimination.rows(), equation = elimination.equation(row);
+  double sums[size + 1], *inverse = m_inverse.data() + equation * m, *product = size > 0 ? sums : m_product.data() + equation * n;
+  double middle = 0, radius = 0, row_size = 0;
+  std::fill_n(product, n, 0.0);
+  for (int k = 0; k < m; ++k) {
+    const double c = elimination.part(row, k);
+    const int other = elimination.equation(k);
+    inverse[other] = c;
+    if (size == 0 && c == 0)
       continue;
-    const double *row = m_product.data() + i * n, own = row[pivot], lower = m_lower[i], upper = m_upper[i];
-    double reach = 0.5 * (upper - lower);
-    for (int k = 0; k < n; ++k)
-      reach += k == pivot ? 0 : 0.5 * std::abs(row[k]);
-    const double factor = 1 / own, magnitude = (std::max)(std::abs(lower), std::abs(upper));
-    m_centre[pivot] = -0.5 * (lower + upper) * factor;
-    m_reach[pivot] = (reach + internal::analysis_error * (magnitude + reach)) * std::abs(factor);
+    for (int j = 0; j < n; ++j)
+      product[j] += c * slopes[other * n + j];
+    middle += c * m_middle[other];
+    radius += std::abs(c) * m_half_width[other];
+    row_size += std::abs(c) * m_size[other];
   }
+  if constexpr (size > 0)
+    std::copy_n(sums, n, m_product.data() + equation * n);
+  radius += internal::analysis_error * row_size;   // also covers the rounding of the products, as |s| <= 1/2
+  const double lower = m_lower[equation] = middle - radius, upper = m_upper[equation] = middle + radius;
+  m_pivot_of_row[equation] = row < m_rank ? elimination.unknown(row) : -1;
+  if (row >= m_rank)
+    return;
+  const int pivot = elimination.unknown(row);
+  m_row_of[pivot] = equation;
+  if (m_rank < n)
+    return;
+  double reach = 0.5 * (upper - lower);
+  for (int j = 0; j < n; ++j)
+    reach += j == pivot ? 0 : 0.5 * std::abs(product[j]);
+  const double factor = 1 / product[pivot], magnitude = (std::max)(std::abs(lower), std::abs(upper));
+  m_centre[pivot] = -0.5 * (lower + upper) * factor;
+  m_reach[pivot] = (reach + internal::analysis_error * (magnitude + reach)) * std::abs(factor);
 }
 
 } // namespace Spline_constraints

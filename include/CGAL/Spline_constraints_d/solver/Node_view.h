@@ -49,7 +49,7 @@ class Node_view
     std::size_t over_first;          // of the bounds over its first axis
     std::size_t greville;            // of the first axis: k/d - 1/2, axis after axis
     std::size_t row, slow_axes;      // the linear part is tabulated on a row, over the axes from slow_axes on
-    std::size_t layer_scales = 0;    // of the first axis: one over the number of control points in a layer
+    std::size_t layer_scales;        // of the first axis: one over the number of control points in a layer
     void (Node_view::*bound)(const internal::Block&, const Plan&) = nullptr;
     void (Node_view::*enclose)(const internal::Block&, const Plan&) = nullptr;
     void (Node_view::*bound_differences)(const internal::Block&, std::size_t axis) = nullptr;
@@ -65,8 +65,7 @@ class Node_view
   std::span<double> m_slopes, m_rest_lower, m_rest_upper;    // affine enclosure
   std::span<double> m_derivative_lower, m_derivative_upper;  // functions x unknowns
   std::span<double> m_least_over_first, m_most_over_first;   // of each block, over its first axis
-  std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper;
-  std::span<double> m_block_rest_lower, m_block_rest_upper;
+  std::span<double> m_work, m_base, m_block_slopes, m_layer_lower, m_layer_upper, m_block_rest_lower, m_block_rest_upper;
   std::span<double> m_line_slopes, m_line_rest_lower, m_line_rest_upper;   // of blocks with one axis or none, per block and function
   std::vector<int> m_index;
 
@@ -144,7 +143,7 @@ private:
   void bound_block(const internal::Block& block, const Plan& plan);
   void enclose_line(const internal::Block& block, const Plan& plan);
   void add_enclosure(const internal::Block& block);
-  template <int axes>
+  template <int axes, int last_degree>
   void enclose_small_block(const internal::Block& block, const Plan& plan);
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
@@ -182,7 +181,7 @@ inline Node_view::Node_view(const internal::System_layout& layout)
   m_plans.reserve(layout.blocks.size());
   for (const internal::Block& block : layout.blocks) {
     const std::size_t m = block.functions.size(), axes = block.axes.size();
-    Plan plan{over_first, m_greville.size(), block.size(), 0};
+    Plan plan{over_first, m_greville.size(), block.size(), 0, m_layer_scales.size()};
     for (std::size_t j = 0; j < axes; ++j) {
       if (block.lengths[j] >= internal::least_row) {
         plan.row = block.lengths[j];
@@ -190,11 +189,9 @@ inline Node_view::Node_view(const internal::System_layout& layout)
       }
       for (int k = 0; k <= block.degrees[j]; ++k)
         m_greville.push_back(block.degrees[j] == 0 ? 0 : static_cast<double>(k) / block.degrees[j] - 0.5);
+      m_layer_scales.push_back((block.degrees[j] + 1.0) / static_cast<double>(block.points));
       layers = (std::max)(layers, m * (block.degrees[j] + 1));
     }
-    plan.layer_scales = m_layer_scales.size();
-    for (std::size_t j = 0; j < axes; ++j)
-      m_layer_scales.push_back((block.degrees[j] + 1.0) / static_cast<double>(block.points));
     choose_passes(block, plan);
     m_plans.push_back(plan);
     over_first += inner_size(block);
@@ -228,7 +225,7 @@ inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
   if (block.functions.size() > 1 && block.size() <= most_coefficients_of_small)
     internal::run_with_constant<most_axes_of_small>(block.axes.size(), [&](auto axes) {
       if constexpr (axes > 1)
-        plan.enclose = &Node_view::enclose_small_block<axes>;
+        internal::run_with_constant<4>(block.degrees.back(), [&](auto degree) { plan.enclose = &Node_view::enclose_small_block<axes, degree>; });
     });
 }
 
@@ -321,18 +318,21 @@ inline void Node_view::add_enclosure(const internal::Block& block)
 }
 
 // The same as enclose_block() where few coefficients make tables and long rows not worth while.
-template <int axes>
+template <int axes, int last_degree>
 void Node_view::enclose_small_block(const internal::Block& block, const Plan& plan)
 {
   const std::size_t functions = block.functions.size();
   const internal::Tensor_shape shape{block.degrees.data(), block.lengths.data()};
-  const double *greville = m_greville.data() + plan.greville, *scales = m_layer_scales.data() + plan.layer_scales;
+  const double *greville = m_greville.data() + plan.greville, *scales = m_layer_scales.data() + plan.layer_scales, *last_abscissas = greville;
+  for (int j = 0; j < axes - 1; ++j)
+    last_abscissas += block.degrees[j] + 1;
   internal::for_each_place(functions, [&](auto type, std::size_t m) {
     using Number = decltype(type);
     const double* data = m_coefficients + block.offset + m;
     Number slopes[axes], least(HUGE_VAL), most(-HUGE_VAL);
     internal::sum_slopes<axes>(shape, data, scales, slopes);
-    internal::bound_rest<axes>(shape, data, greville, slopes, Number(0), least, most);
+    const internal::Last_axis<last_degree, Number> last(slopes[axes - 1], last_abscissas, block.degrees.back(), functions);
+    internal::bound_rest<axes>(shape, data, greville, slopes, last, Number(0), least, most);
     internal::unroll<axes>([&](auto j) { internal::store(m_block_slopes.data() + j * functions + m, slopes[j]); });
     internal::store(m_block_rest_lower.data() + m, least);
     internal::store(m_block_rest_upper.data() + m, most);

@@ -65,6 +65,14 @@ struct Place_range
   std::size_t begin, end;
 };
 
+inline void append_range(std::vector<Place_range>& ranges, const Place_range& range)
+{
+  if (ranges.empty() || ranges.back().end < range.begin)
+    ranges.push_back(range);
+  else
+    ranges.back().end = range.end;
+}
+
 struct System_layout
 {
   int dimension = 0;
@@ -74,7 +82,7 @@ struct System_layout
   std::size_t errors = 0;   // error bounds
   std::vector<Block> blocks;
   std::vector<std::vector<Block_axis>> blocks_of_axis;
-  std::vector<std::vector<Place_range>> ranges_without_axis;   // the blocks that an axis does not concern, those side by side joined
+  std::vector<std::vector<Place_range>> ranges_without_axis;   // the blocks that an axis does not concern, and two bounds per block and function behind all blocks; those side by side joined
 
   System_layout() = default;
   explicit System_layout(const Constraint_system_d& system);
@@ -193,13 +201,11 @@ inline void System_layout::place_blocks()
     for (std::size_t j = 0; j < blocks[b].axes.size(); ++j)
       blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j)});
     for (int axis = 0; axis < dimension; ++axis)
-      if (!std::binary_search(blocks[b].axes.begin(), blocks[b].axes.end(), axis)) {
-        std::vector<Place_range>& ranges = ranges_without_axis[axis];
-        if (ranges.empty() || ranges.back().end < blocks[b].offset)
-          ranges.push_back({blocks[b].offset, blocks[b].offset});
-        ranges.back().end = size;
-      }
+      if (!std::binary_search(blocks[b].axes.begin(), blocks[b].axes.end(), axis))
+        append_range(ranges_without_axis[axis], {blocks[b].offset, size});
   }
+  for (std::vector<Place_range>& ranges : ranges_without_axis)
+    append_range(ranges, {size, size + 2 * errors});
 }
 
 } // namespace internal

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/function/coefficient_packs.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -50,12 +52,26 @@ bool invert_fixed(int rows, double* work, double* inverse, double least_pivot)
   return true;
 }
 
+// Two rows by Cramer's rule, with one division; the pivots are those of elimination.
+inline bool invert_pair(const double* a, double* inverse, double least_pivot)
+{
+  const double first = greater(std::abs(a[0]), std::abs(a[2])), largest = greater(first, greater(std::abs(a[1]), std::abs(a[3])));
+  const double determinant = a[0] * a[3] - a[1] * a[2], factor = 1 / determinant;
+  inverse[0] = a[3] * factor;
+  inverse[1] = -a[1] * factor;
+  inverse[2] = -a[2] * factor;
+  inverse[3] = a[0] * factor;
+  return first > least_pivot * largest && std::abs(determinant) > least_pivot * largest * first;
+}
+
 /*
 The approximate inverse of a small row-major matrix by Gauss-Jordan elimination with row pivoting, without allocation (Eigen's inverse makes a temporary);
-false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` is destroyed.
+false when a pivot is smaller than `least_pivot` beside the largest entry. Whoever uses it measures what it got wrong. `work` and `inverse` are two; the first is destroyed.
 */
 inline bool invert(int size, std::vector<double>& work, std::vector<double>& inverse, double least_pivot = 1e-14)
 {
+  if (size == 2)
+    return invert_pair(work.data(), inverse.data(), least_pivot);
   bool is_regular = false;
   run_with_constant<4>(size, [&](auto constant) { is_regular = invert_fixed<constant>(size, work.data(), inverse.data(), least_pivot); });
   return is_regular;
@@ -66,7 +82,7 @@ Row j of a bound on |I - C J|, for a row of C and derivative bounds `lower(i, k)
 their sum, in any rounding mode.
 */
 template <class Lower, class Upper>
-double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
+BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
 {
   double sum = 0;
   for (int k = 0; k < n; ++k) {

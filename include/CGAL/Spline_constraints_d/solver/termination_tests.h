@@ -26,16 +26,18 @@ inline double contraction_bound(Node_view& node, const Linear_enclosure& linear,
 {
   if (!linear.has_inverse())
     return HUGE_VAL;
-  const int n = node.dimension();
-  bounds.resize(n * n);
+  bounds.resize(static_cast<std::size_t>(node.dimension()) * node.dimension());
   const double *lower = node.derivative_lower(0), *upper = node.derivative_upper(0);
   double largest = 0;
-  for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
-    const double sum = internal::contraction_row(
-      n, node.equalities(), j, linear.inverse_row(j), [&](int i, int k) { return lower[i * n + k]; },
-      [&](int i, int k) { return upper[i * n + k]; }, bounds.data() + j * n);
-    largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
-  }
+  internal::run_with_constant<4>(node.equalities() == node.dimension() ? node.dimension() : 0, [&](auto size) {
+    const int n = size > 0 ? size : node.dimension(), m = size > 0 ? size : node.equalities();
+    for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
+      const double sum = internal::contraction_row(
+        n, m, j, linear.inverse_row(j), [&](int i, int k) { return lower[i * n + k]; }, [&](int i, int k) { return upper[i * n + k]; },
+        bounds.data() + j * n);
+      largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
+    }
+  });
   return largest;
 }
 
