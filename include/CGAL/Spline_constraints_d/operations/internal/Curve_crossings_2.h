@@ -53,27 +53,22 @@ public:
   template <class Concurrency_tag, SplineKernel Kernel>
   static Curve_crossings_2 of(const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points)
   {
-    Curve_crossings_2 result;
-    for (const Site_curve_2& curve : curves)
-      result.m_curves.push_back(curve.patch);
-    result.m_cuts.resize(curves.size());
-    const auto pairs = Pairwise_intersector<Kernel, 2>({}).template within<Concurrency_tag>(result.m_curves, Self_intersections::INCLUDED).pairs;
-    for (const auto& pair : pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::OVERLAP)
-          result.add_overlaps({pair.first, pair.second}, {intersection.parameter_range(0), intersection.parameter_range(1)});
-    for (const auto& pair : pairs)
-      for (const auto& intersection : pair.intersections)
-        if ((intersection.kind() == Intersection_kind::TRANSVERSAL || intersection.kind() == Intersection_kind::END_POINT) && !result.is_redundant(pair.first, intersection.parameter_range(0)) && !result.is_redundant(pair.second, intersection.parameter_range(1)))
-          result.add({pair.first, pair.second}, intersection);
-    const std::vector<Spline_patch<2>> exact_points(points.begin(), points.end());
-    for (const auto& pair : Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(exact_points, result.m_curves).pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::TRANSVERSAL && !result.is_redundant(pair.second, intersection.parameter_range(1)))
-          result.add_point(points[pair.first], pair.second, intersection.parameter_range(1));
-    for (auto& cuts : result.m_cuts)
-      std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter < b.parameter; });
-    result.remove_crossings_that_are_too_near();
+    Curve_crossings_2 result(curves);
+    const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
+    result.add_overlaps(pairs);
+    result.add_crossings(pairs);
+    result.add_points<Concurrency_tag, Kernel>(points);
+    result.close();
+    return result;
+  }
+
+  // Only the overlaps, and their ends as cuts.
+  template <class Concurrency_tag, SplineKernel Kernel>
+  static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves)
+  {
+    Curve_crossings_2 result(curves);
+    result.add_overlaps(result.intersecting_pairs<Concurrency_tag, Kernel>());
+    result.close();
     return result;
   }
 
@@ -103,6 +98,47 @@ public:
   bool are_overlaps_proved() const { return m_are_overlaps_proved; }
 
 private:
+  explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_cuts(curves.size())
+  {
+    for (const Site_curve_2& curve : curves)
+      m_curves.push_back(curve.patch);
+  }
+
+  template <class Concurrency_tag, SplineKernel Kernel>
+  std::vector<Intersecting_pair<Kernel, 2>> intersecting_pairs() const
+  {
+    return Pairwise_intersector<Kernel, 2>({}).template within<Concurrency_tag>(m_curves, Self_intersections::INCLUDED).pairs;
+  }
+
+  template <class Pairs>
+  void add_overlaps(const Pairs& pairs)
+  {
+    for (const auto& pair : pairs)
+      for (const auto& intersection : pair.intersections)
+        if (intersection.kind() == Intersection_kind::OVERLAP)
+          add_overlaps({pair.first, pair.second}, {intersection.parameter_range(0), intersection.parameter_range(1)});
+  }
+
+  template <class Pairs>
+  void add_crossings(const Pairs& pairs)
+  {
+    for (const auto& pair : pairs)
+      for (const auto& intersection : pair.intersections)
+        if ((intersection.kind() == Intersection_kind::TRANSVERSAL || intersection.kind() == Intersection_kind::END_POINT) && !is_redundant(pair.first, intersection.parameter_range(0)) && !is_redundant(pair.second, intersection.parameter_range(1)))
+          add({pair.first, pair.second}, intersection);
+  }
+
+  // Those that lie on curves.
+  template <class Concurrency_tag, SplineKernel Kernel>
+  void add_points(const std::vector<Exact_pair>& points)
+  {
+    const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
+    for (const auto& pair : Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(patches, m_curves).pairs)
+      for (const auto& intersection : pair.intersections)
+        if (intersection.kind() == Intersection_kind::TRANSVERSAL && !is_redundant(pair.second, intersection.parameter_range(1)))
+          add_point(points[pair.first], pair.second, intersection.parameter_range(1));
+  }
+
   Exact_pair at(std::size_t curve, const Exact_rational& t) const { return m_curves[curve](std::array<Exact_rational, 1>{t}); }
 
   // Of curves, or of different parts of one curve.
@@ -156,6 +192,13 @@ private:
   {
     const auto [begin, end] = m_curves[curve].domain(0);
     return !is_at_end ? simplest_rational_between(range.first, range.second) : range.first <= begin ? begin : end;
+  }
+
+  void close()
+  {
+    for (auto& cuts : m_cuts)
+      std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter < b.parameter; });
+    remove_crossings_that_are_too_near();
   }
 
   void remove_crossings_that_are_too_near()

@@ -123,7 +123,7 @@ private:
       return false;
     const Exact_pair a = part.at(0), b = part.at(1), along{Exact_rational(b[0] - a[0]), Exact_rational(b[1] - a[1])};
     const auto& [x, y, w] = part.piece().coordinates;
-    const auto height = [&](const Exact_pair& from) { return (x - w * from[0]) * along[0] + (y - w * from[1]) * along[1]; };   // times the weight
+    const auto height = [&, &x = x, &y = y, &w = w](const Exact_pair& from) { return (x - w * from[0]) * along[0] + (y - w * from[1]) * along[1]; };   // times the weight
     return w.bounds().first > 0 && height(a).bounds().first >= 0 && height(b).bounds().second <= 0;
   }
 

@@ -67,13 +67,26 @@ private:
   }
 };
 
+template <SplineKernel Kernel>
+std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& points)
+{
+  std::vector<Exact_pair> result;
+  for (const auto& point : points)
+    result.push_back(exact_coordinates(point));
+  return result;
+}
+
 template <class Concurrency_tag, SplineKernel Kernel>
 std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
 {
-  std::vector<Exact_pair> exact_points;
-  for (const auto& point : points)
-    exact_points.push_back(exact_coordinates(point));
-  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact_points), curves, exact_points)();
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact_points(points)), curves, exact_points(points))();
+}
+
+// The same without cuts at crossings.
+template <class Concurrency_tag, SplineKernel Kernel>
+std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
+{
+  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag, Kernel>(curves), curves, exact_points(points))();
 }
 
 } // namespace internal
