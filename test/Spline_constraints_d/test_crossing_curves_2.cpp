@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of curves that cross each other or themselves, or end on another one: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
+// Voronoi diagrams of curves that cross each other or themselves, end on another one, or have pieces in common: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -116,11 +117,89 @@ TEST(CrossingCurves, Loop)
 // Curves that touch, or three of them through an irrational point, are not cut.
 TEST(CrossingCurves, ContactsAreNotCut)
 {
-  const auto number_of_arcs = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag>(curves, std::vector<P>())->arcs().size(); };
+  const auto number_of_arcs = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), {})->arcs().size(); };
   const Curve parabola = bezier({P(-2, 4), P(0, -4), P(2, 4)});   // y = x^2
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-1, 0), P(1, 0)})}), 2U);
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)})}), 6U);
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)}), bezier({P(-2, 0), P(0, 8), P(2, 0)})}), 3U);   // y = 2, y = 4 - x^2
+}
+
+// One site for the points that curves have in common: the second curve adds nothing.
+void expect_coincident(const Curves& curves, std::size_t parts, const Curves& without)
+{
+  const Diagram diagram = SC::voronoi_diagram(curves), simple = SC::voronoi_diagram(without);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.coincident_parts().size(), parts);
+  EXPECT_EQ(diagram.sites().size(), simple.sites().size());
+  EXPECT_EQ(counts(diagram), counts(simple));
+  EXPECT_TRUE(simple.coincident_parts().empty());
+  expect_euler(diagram);
+  for (const auto& coincidence : diagram.coincident_parts())
+    for (std::size_t end : {0, 1}) {
+      const P p = curves[coincidence.curves[0]](coincidence.parameters[0][end]), q = curves[coincidence.curves[1]](coincidence.parameters[1][coincidence.is_reversed ? 1 - end : end]);
+      EXPECT_NEAR(distance(p, q), 0, 1e-14);
+    }
+}
+
+TEST(CrossingCurves, CurvesThatAreGivenTwice)
+{
+  const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), backward = bezier({P(3, 0), P(2, -2), P(1, 2), P(0, 0)}), segment = bezier({P(1, -1), P(0.5, 2)});
+  expect_coincident({cubic, cubic}, 1, {cubic});
+  expect_coincident({cubic, backward, cubic}, 3, {cubic});
+  expect_coincident({cubic, segment, backward, segment}, 2, {cubic, segment});   // they cross at irrational parameters
+  // The same parabola with its degree elevated.
+  expect_coincident({bezier({P(0, 0), P(3, 6), P(6, 0)}), bezier({P(0, 0), P(2, 4), P(4, 4), P(6, 0)})}, 1, {bezier({P(0, 0), P(3, 6), P(6, 0)})});
+}
+
+TEST(CrossingCurves, PiecesInCommon)
+{
+  const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), half = bezier({P(0, 0), P(0.5, 1), P(1, 0.5), P(1.5, 0)}), other_half = bezier({P(1.5, 0), P(2, -0.5), P(2.5, -1), P(3, 0)});
+  expect_coincident({cubic, half}, 1, {half, other_half});
+  expect_coincident({half, cubic}, 1, {half, other_half});
+  const Curves segments{bezier({P(0, 0), P(1, 0)}), bezier({P(1, 0), P(2, 0)}), bezier({P(2, 0), P(3, 0)})};
+  expect_coincident({bezier({P(0, 0), P(2, 0)}), bezier({P(1, 0), P(3, 0)})}, 1, segments);
+  expect_coincident({bezier({P(0, 0), P(2, 0)}), bezier({P(3, 0), P(1, 0)})}, 1, segments);
+  // Walls of two rooms, whose corners are not the same points.
+  const Curve room = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, 4), P(0, 4), P(0, 0)}), next_room = SC::polyline_curve(std::vector<P>{P(4, 1), P(8, 1), P(8, 5), P(4, 5), P(4, 1)});
+  const Diagram rooms = SC::voronoi_diagram(Curves{room, next_room});
+  EXPECT_TRUE(rooms.is_complete());
+  expect_euler(rooms);
+  ASSERT_EQ(rooms.coincident_parts().size(), 1U);
+  EXPECT_EQ(rooms.coincident_parts()[0].parameters[0], (std::array<double, 2>{1.25, 2}));
+  EXPECT_EQ(rooms.coincident_parts()[0].parameters[1], (std::array<double, 2>{3.25, 4}));
+  EXPECT_TRUE(rooms.coincident_parts()[0].is_reversed);
+  expect_empty_disks(rooms, {room, next_room}, 0.2, 20);
+  // A curve that turns back.
+  const Diagram back = SC::voronoi_diagram(Curves{SC::polyline_curve(std::vector<P>{P(0, 0), P(2, 0), P(2, 2), P(2, 0), P(3, 0)})});
+  EXPECT_TRUE(back.is_complete());
+  EXPECT_EQ(back.coincident_parts().size(), 1U);
+  EXPECT_EQ(number_of_parts(back), 3U);
+}
+
+// The seam of the second circle is in an irrational point, or one at other parameters, of the first one.
+TEST(CrossingCurves, CirclesInCommon)
+{
+  const auto circle = [](double x, double y) { return SC::ellipse_curve(P(0, 0), K::Vector_2(x, y), K::Vector_2(-y, x)); };
+  expect_coincident({circle(5, 0), circle(5, 0)}, 4, {circle(5, 0)});
+  expect_coincident({circle(5, 0), circle(0, -5)}, 4, {circle(5, 0)});
+  const Diagram turned = SC::voronoi_diagram(Curves{circle(5, 0), circle(3, 4)});
+  EXPECT_TRUE(turned.is_complete());
+  EXPECT_EQ(turned.coincident_parts().size(), 8U);
+  EXPECT_EQ(number_of_parts(turned), 8U);
+  expect_euler(turned);
+}
+
+// Points that lie on curves are ends of their parts, also at irrational parameters.
+TEST(CrossingCurves, PointsOnCurves)
+{
+  const Curves segments{bezier({P(0, 0), P(4, 1)}), bezier({P(0, 2), P(0.5, 2.5), P(2, 4)})};
+  const Diagram diagram = SC::voronoi_diagram(segments, {P(2, 0.5), P(1, 3), P(0, 0)});
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(number_of_parts(diagram), 4U);
+  EXPECT_EQ(diagram.sites().size(), 10U);
+  EXPECT_EQ(diagram.number_of_regions(), 2U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, segments, 0.2, 20);
 }
 
 TEST(CrossingCurves, RandomCubics)

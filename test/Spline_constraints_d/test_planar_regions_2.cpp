@@ -7,6 +7,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_region_streams_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -142,6 +145,30 @@ TEST(planar_regions_2, polygons)
   EXPECT_EQ(region.area(), std::make_pair(R(R(31) / 2), R(R(31) / 2)));
   EXPECT_EQ(region.number_of_holes(), 1u);
   EXPECT_EQ(region.bounded_side(Point(R(3) / 2, R(3) / 2)), CGAL::ON_BOUNDARY);
+}
+
+// The same curves and boundaries are read; what is no region is refused, and nothing is changed.
+TEST(planar_regions_2, streams)
+{
+  const Region ring(Curves{circle(R(1) / 3, 0, 5), polygon({{-1, -1}, {1, -1}, {R(2) / 7, 1}}), circle(20, 0, 1)}), other = SC::planar_region(circle(0, 0, 1));
+  std::stringstream stream;
+  stream << ring << '\n' << other;
+  Region first = other, second = ring;
+  ASSERT_TRUE(stream >> first >> second);
+  EXPECT_EQ(first.curves(), ring.curves());
+  EXPECT_EQ(second.curves(), other.curves());
+  ASSERT_EQ(first.boundaries().size(), 3u);
+  EXPECT_EQ(first.number_of_holes(), 1u);
+  EXPECT_EQ(first.area(), ring.area());
+  std::ostringstream written, twice;
+  written << first;
+  twice << 2 << '\n' << circle(0, 0, 1) << '\n' << circle(0, 0, 1);
+  const std::string text = written.str();
+  for (const std::string& bad : {std::string(), std::string("0"), std::string("-1"), std::string("two"), "4" + text.substr(1), text.substr(0, text.size() / 2), twice.str()}) {
+    std::istringstream in(bad);
+    EXPECT_FALSE(in >> second) << bad;
+    EXPECT_EQ(second.curves(), other.curves());
+  }
 }
 
 TEST(planar_regions_2, bad_boundaries)

@@ -24,12 +24,20 @@ constexpr double error = 0.01, most_radius = 20;
 
 Curve circle(const P& center, double radius) { return SC::ellipse_curve(center, K::Vector_2(radius, 0), K::Vector_2(0, radius)); }
 
+Samples samples(const Bisector& bisector, const Bisector::Chain& chain)
+{
+  Samples result;
+  for (const auto& polyline : bisector.polylines(chain, error, most_radius))
+    result.insert(result.end(), polyline.begin(), polyline.end());
+  return result;
+}
+
 Samples samples(const Bisector& bisector)
 {
   Samples result;
   for (const auto& chain : bisector.chains())
-    for (const auto& polyline : bisector.polylines(chain, error, most_radius))
-      result.insert(result.end(), polyline.begin(), polyline.end());
+    for (const auto& sample : samples(bisector, chain))
+      result.push_back(sample);
   return result;
 }
 
@@ -201,6 +209,57 @@ TEST(TrimmedBisectors, TwoCubics)
   expect_trimmed(bisector, curves);
 }
 
+// The segments (0,0)-(4,0) and (1,-2)-(3,2), which cross in (2,0): lines through that point next to it, one chain in each angle; where an end is nearest, other curves go on to infinity.
+TEST(TrimmedBisectors, CrossingSegments)
+{
+  const std::vector<Curve> segments{bezier({P(0, 0), P(4, 0)}), bezier({P(1, -2), P(3, 2)})};
+  const Bisector bisector = SC::trimmed_bisector(segments[0], segments[1]);
+  EXPECT_TRUE(bisector.is_complete());
+  ASSERT_EQ(bisector.chains().size(), 4U);
+  const double s = std::sqrt(5.0);
+  std::size_t near = 0;
+  for (const auto& chain : bisector.chains()) {
+    const auto& ends = bisector.diagram().vertices();
+    EXPECT_NE(ends[chain.vertices[0]].is_at_infinity, ends[chain.vertices[1]].is_at_infinity);
+    const std::size_t crossing = chain.vertices[ends[chain.vertices[0]].is_at_infinity];
+    EXPECT_NEAR(distance(ends[crossing].point, P(2, 0)), 0, 1e-12);
+    EXPECT_EQ(ends[crossing].radius, 0);
+    for (const auto& sample : samples(bisector, chain)) {
+      EXPECT_NEAR(SC::distance_range(sample.point, segments[0]).first, sample.radius, 1e-9 * (1 + sample.radius));
+      EXPECT_NEAR(SC::distance_range(sample.point, segments[1]).first, sample.radius, 1e-9 * (1 + sample.radius));
+      const double x = sample.point.x() - 2, y = sample.point.y();
+      if (!std::isnan(sample.parameters[0]) && !std::isnan(sample.parameters[1]) && sample.radius > 0) {
+        ++near;
+        EXPECT_NEAR(sample.parameters[0], (2 + x) / 4, 1e-9);
+        EXPECT_NEAR(sample.parameters[1], 0.5 + (x + 2 * y) / 10, 1e-9);
+        EXPECT_NEAR((std::min)(std::abs(2 * x - y - s * y), std::abs(2 * x - y + s * y)), 0, 1e-9);
+      }
+    }
+  }
+  EXPECT_GE(near, 4U);
+}
+
+// Radii 5 around (-2,0) and (2,0): outside of both, or within both, the y-axis; within one of them, the ellipse whose foci are the centers.
+TEST(TrimmedBisectors, CrossingCircles)
+{
+  const Bisector bisector = SC::trimmed_bisector(SC::ellipse_curve(P(-2, 0), K::Vector_2(3, 4), K::Vector_2(-4, 3)), SC::ellipse_curve(P(2, 0), K::Vector_2(4, 3), K::Vector_2(-3, 4)));
+  EXPECT_TRUE(bisector.is_complete());
+  std::size_t on_axis = 0, on_ellipse = 0, inner = 0;
+  for (const auto& chain : bisector.chains()) {
+    const Samples all = samples(bisector, chain);
+    const bool is_axis = std::all_of(all.begin(), all.end(), [](const auto& sample) { return std::abs(sample.point.x()) < 1e-9; });
+    const bool is_ellipse = std::all_of(all.begin(), all.end(), [](const auto& sample) { return std::abs(sample.point.x() * sample.point.x() / 25 + sample.point.y() * sample.point.y() / 21 - 1) < 1e-9; });
+    EXPECT_NE(is_axis, is_ellipse);
+    const auto& ends = bisector.diagram().vertices();
+    inner += is_axis && !ends[chain.vertices[0]].is_at_infinity && !ends[chain.vertices[1]].is_at_infinity;
+    on_axis += is_axis;
+    on_ellipse += is_ellipse;
+  }
+  EXPECT_EQ(on_axis, 3U);
+  EXPECT_EQ(on_ellipse, 2U);
+  EXPECT_EQ(inner, 1U);
+}
+
 double distance(const P& p, const std::vector<P>& points)
 {
   double result = std::numeric_limits<double>::infinity();
@@ -253,6 +312,73 @@ TEST(TrimmedBisectors, SeparatesWhatIsNearer)
   EXPECT_GT(segments, 50);
 }
 
+// Random cubics that cross: samples are as far from both, and no point is nearer; on a segment, the nearer curve changes with each crossing of the bisector.
+TEST(TrimmedBisectors, CrossingCubics)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(0, 10);
+  int segments = 0, crossing_chains = 0;
+  for (int run = 0; run < 3; ++run) {
+    std::vector<Curve> curves;
+    std::array<std::vector<P>, 2> points;
+    for (std::size_t k = 0; k < 2; ++k) {
+      std::vector<P> control_points;
+      for (int i = 0; i < 4; ++i)
+        control_points.push_back(k == 0 ? P(4 + coordinate(random) / 5, 10. / 3 * i) : P(10. / 3 * i, coordinate(random)));
+      curves.push_back(bezier(control_points));
+      for (int i = 0; i <= 400; ++i)
+        points[k].push_back(curves[k](i / 400.0));
+    }
+    const Bisector bisector = SC::trimmed_bisector(curves[0], curves[1]);
+    EXPECT_TRUE(bisector.is_complete());
+    ASSERT_GE(bisector.chains().size(), 4U);
+    expect_trimmed(bisector, curves);
+    std::vector<K::Segment_2> chords;
+    for (const auto& chain : bisector.chains()) {
+      crossing_chains += bisector.diagram().vertices()[chain.vertices[0]].radius == 0 || bisector.diagram().vertices()[chain.vertices[1]].radius == 0;
+      for (const auto& polyline : bisector.polylines(chain, error, 50))
+        for (std::size_t i = 1; i < polyline.size(); ++i)
+          chords.emplace_back(polyline[i - 1].point, polyline[i].point);
+    }
+    for (int i = 0; i < 50; ++i) {
+      const K::Segment_2 segment(P(coordinate(random), coordinate(random)), P(coordinate(random), coordinate(random)));
+      const double before = distance(segment.source(), points[0]) - distance(segment.source(), points[1]);
+      const double after = distance(segment.target(), points[0]) - distance(segment.target(), points[1]);
+      if (std::abs(before) < 0.1 || std::abs(after) < 0.1)
+        continue;
+      const auto crossings = std::count_if(chords.begin(), chords.end(), [&](const K::Segment_2& chord) { return CGAL::do_intersect(segment, chord); });
+      EXPECT_EQ(crossings % 2 == 1, before * after < 0);
+      ++segments;
+    }
+  }
+  EXPECT_GT(segments, 75);
+  EXPECT_GE(crossing_chains, 12);
+}
+
+// A loop: disks touch it from within and from both sides of the crossing.
+TEST(TrimmedBisectors, SelfBisectorOfALoop)
+{
+  const Curve loop = bezier({P(0, 0), P(6, 4), P(-2, 4.2), P(4.1, 0.3)});
+  const Bisector bisector = SC::trimmed_self_bisector(loop);
+  EXPECT_TRUE(bisector.is_complete());
+  EXPECT_EQ(bisector.chains().size(), 4U);
+  const auto& vertices = bisector.diagram().vertices();
+  EXPECT_EQ(std::count_if(vertices.begin(), vertices.end(), [](const auto& v) { return v.radius == 0; }), 4);
+  expect_trimmed(bisector, {loop, loop});
+}
+
+// A segment with a part of itself, and with a point on it: an area is as far from both.
+TEST(TrimmedBisectors, CoincidentOperands)
+{
+  const Curve segment = bezier({P(0, 0), P(4, 0)});
+  EXPECT_TRUE(SC::trimmed_bisector(segment, segment).chains().empty());
+  EXPECT_EQ(SC::trimmed_bisector(segment, segment).diagram().coincident_parts().size(), 1U);
+  const Bisector part = SC::trimmed_bisector(segment, bezier({P(3, 0), P(1, 0)}));
+  EXPECT_TRUE(part.is_complete());
+  EXPECT_EQ(part.diagram().sites().size(), 7U);
+  EXPECT_TRUE(SC::trimmed_bisector(segment, P(1, 0)).is_complete());
+}
+
 // A part of y = x^2: the line above its center of curvature (0, 1/2), where arcs are nearest up to the normals of the ends, which meet in (0, 9/2).
 TEST(TrimmedBisectors, SelfBisectorOfAParabola)
 {
@@ -287,7 +413,6 @@ TEST(TrimmedBisectors, BadInput)
 {
   const Curve segment = bezier({P(0, 0), P(1, 0)});
   EXPECT_THROW(SC::trimmed_bisector(P(1, 2), P(1, 2)), SC::Invalid_input);
-  EXPECT_THROW(SC::trimmed_bisector(segment, segment), SC::Invalid_input);
   EXPECT_THROW(SC::trimmed_bisector(segment, bezier({P(1, 1), P(1, 1)})), SC::Invalid_input);
   EXPECT_THROW(SC::trimmed_self_bisector(bezier({P(1, 1), P(1, 1)})), SC::Invalid_input);
   const Bisector bisector = SC::trimmed_bisector(P(0, 0), P(1, 0));

@@ -87,6 +87,20 @@ TEST(TrimmedOffsets, SegmentHasRoundEnds)
   EXPECT_NEAR(area(offset), 20 + 4 * pi, tolerance);
 }
 
+// Duplicates and pieces in common are offset once.
+TEST(TrimmedOffsets, CurvesThatOverlap)
+{
+  const Offset segments = SC::trimmed_offset(Curves{bezier({P(0, 0), P(2, 0)}), bezier({P(3, 0), P(1, 0)})}, 1);
+  EXPECT_TRUE(segments.is_complete());
+  EXPECT_EQ(counts(segments).components, 1U);
+  EXPECT_NEAR(area(segments), 6 + pi, tolerance);
+  const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), backward = bezier({P(3, 0), P(2, -2), P(1, 2), P(0, 0)}), segment = bezier({P(1, -1), P(0.5, 2)});
+  const Offset twice = SC::trimmed_offset(Curves{cubic, backward, segment, segment}, 0.25), once = SC::trimmed_offset(Curves{cubic, segment}, 0.25);
+  EXPECT_TRUE(twice.is_complete());
+  EXPECT_EQ(counts(twice), counts(once));
+  EXPECT_EQ(area(twice), area(once));
+}
+
 TEST(TrimmedOffsets, CircleOfFourArcs)
 {
   const Curves circle{SC::ellipse_curve(P(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 3))};

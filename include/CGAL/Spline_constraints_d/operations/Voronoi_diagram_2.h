@@ -38,6 +38,18 @@ struct Voronoi_site_2
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
+Parts of two curves with the same points, or two such parts of one curve. Only the first one is a site.
+*/
+struct Voronoi_coincidence_2
+{
+  std::array<std::size_t, 2> curves;                      ///< the indices of the curves, the lower one first
+  std::array<std::array<double, 2>, 2> parameters;        ///< of each curve, where the part begins and ends
+  bool is_reversed;                                       ///< whether the second part begins where the first one ends
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
 A point of an edge of a Voronoi diagram.
 */
 template <SplineKernel Kernel>
@@ -109,6 +121,18 @@ public:
 
   //! the sites: the polynomial pieces of all curves, and behind them all their ends and the isolated points.
   const std::vector<Site>& sites() const { return m_sites; }
+
+  //! what curves have in common, for each two of them: pieces of the same points are one site, that of the curve with the lowest index.
+  std::vector<Voronoi_coincidence_2> coincident_parts() const
+  {
+    std::vector<Voronoi_coincidence_2> result;
+    for (const auto& [curves, overlap] : m_graph->coincident_parts()) {
+      result.push_back({curves, {}, overlap.is_reversed});
+      for (std::size_t k = 0; k < 2; ++k)
+        result.back().parameters[k] = {to_nearest_double(overlap.parameters[k].first), to_nearest_double(overlap.parameters[k].second)};
+    }
+    return result;
+  }
 
   //! the vertices.
   const std::vector<Vertex>& vertices() const { return m_vertices; }

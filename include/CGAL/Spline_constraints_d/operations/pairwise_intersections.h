@@ -62,11 +62,9 @@ template <class Range>
 concept Range_of_curves = std::ranges::input_range<Range> && Parametric_curve<std::ranges::range_value_t<Range>>;
 
 // Which curves of one collection, or of two, may meet each other, and where they do.
-template <class Curve>
+template <SplineKernel Kernel, int d>
 class Pairwise_intersector
 {
-  using Kernel = typename Curve::Kernel;
-  static constexpr int d = Spline_operand<Curve>::dimension;
   using Patches = std::vector<Spline_patch<d>>;
 
   Solver_options m_options;
@@ -74,10 +72,9 @@ class Pairwise_intersector
 public:
   explicit Pairwise_intersector(const Solver_options& options) : m_options(options) { m_options.check(); }
 
-  template <class Concurrency_tag, class Range>
-  Pairwise_intersections<Kernel, d> within(Range&& range, Self_intersections self_intersections) const
+  template <class Concurrency_tag>
+  Pairwise_intersections<Kernel, d> within(const Patches& curves, Self_intersections self_intersections) const
   {
-    const Patches curves = collected(range);
     std::vector<Index_pair> pairs = pairs_with_meeting_boxes(curves);
     if (self_intersections == Self_intersections::INCLUDED) {
       for (std::size_t i = 0; i < curves.size(); ++i)
@@ -90,25 +87,15 @@ public:
     });
   }
 
-  template <class Concurrency_tag, class Range, class Other_range>
-  Pairwise_intersections<Kernel, d> between(Range&& range, Other_range&& others) const
+  template <class Concurrency_tag>
+  Pairwise_intersections<Kernel, d> between(const Patches& first, const Patches& second) const
   {
-    const Patches first = collected(range), second = collected(others);
     return intersected<Concurrency_tag>(pairs_with_meeting_boxes(first, second), [&](const Index_pair& pair) {
       return intersections_of<Kernel, d>(Patch_pair<d>(first[pair.first], second[pair.second]), m_options);
     });
   }
 
 private:
-  template <class Range>
-  static Patches collected(Range&& range)
-  {
-    Patches result;
-    for (const Curve& curve : range)
-      result.emplace_back(curve);
-    return result;
-  }
-
   template <class Concurrency_tag, class Intersect>
   static Pairwise_intersections<Kernel, d> intersected(const std::vector<Index_pair>& pairs, const Intersect& intersect)
   {
@@ -124,6 +111,18 @@ private:
     return result;
   }
 };
+
+template <class Range>
+using Pairwise_intersector_of = Pairwise_intersector<typename std::ranges::range_value_t<Range>::Kernel, Spline_operand<std::ranges::range_value_t<Range>>::dimension>;
+
+template <class Range>
+auto patches_of(const Range& range)
+{
+  std::vector<Spline_patch<Spline_operand<std::ranges::range_value_t<Range>>::dimension>> result;
+  for (const auto& curve : range)
+    result.emplace_back(curve);
+  return result;
+}
 
 } // namespace internal
 
@@ -147,7 +146,7 @@ Complexity: \f$O(n \log^d n + k)\f$ for \f$n\f$ curves with \f$k\f$ pairs of box
 template <class Concurrency_tag = CGAL::Sequential_tag, internal::Range_of_curves Range>
 auto pairwise_intersections(const Range& curves, const Solver_options& options = {}, Self_intersections self_intersections = Self_intersections::EXCLUDED)
 {
-  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template within<Concurrency_tag>(curves, self_intersections);
+  return internal::Pairwise_intersector_of<Range>(options).template within<Concurrency_tag>(internal::patches_of(curves), self_intersections);
 }
 
 /*!
@@ -166,7 +165,7 @@ template <class Concurrency_tag = CGAL::Sequential_tag, internal::Range_of_curve
   requires std::same_as<std::ranges::range_value_t<Range>, std::ranges::range_value_t<Other_range>>
 auto pairwise_intersections(const Range& curves, const Other_range& others, const Solver_options& options = {})
 {
-  return internal::Pairwise_intersector<std::ranges::range_value_t<Range>>(options).template between<Concurrency_tag>(curves, others);
+  return internal::Pairwise_intersector_of<Range>(options).template between<Concurrency_tag>(internal::patches_of(curves), internal::patches_of(others));
 }
 
 } // namespace Spline_constraints

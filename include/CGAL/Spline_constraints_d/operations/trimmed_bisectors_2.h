@@ -13,37 +13,60 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-template <ParametricCurve_2 Curve>
-bool is_end_of_operand(const Site_graph_2& graph, const Site_graph_2::Vertex& vertex, const Curve&, std::size_t index)
-{
-  return std::any_of(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& end) { return graph.curve_of_arc(end.arc) == index; });
-}
-
+// Two curves, two points, or one of each, in order: those of both kinds.
 template <SplineKernel Kernel>
-bool is_end_of_operand(const Site_graph_2&, const Site_graph_2::Vertex& vertex, const CGAL::Point_2<Kernel>& point, std::size_t)
+struct Bisected_operands
 {
-  return vertex.exact_point == exact_coordinates(point);
-}
+  std::vector<Site_curve_2> curves;
+  std::vector<CGAL::Point_2<Kernel>> points;
+  std::array<std::pair<bool, std::size_t>, 2> places;   // of each operand: whether it is a point, and its index
 
-// Of two curves, of two points, or of one of each.
+  template <class A, class B>
+  Bisected_operands(const A& a, const B& b) : places{add(a), add(b)} {}
+
+  // Whether an operand passes through a vertex or ends there.
+  bool is_at(std::size_t operand, const Site_graph_2& graph, const Site_graph_2::Vertex& vertex) const
+  {
+    const auto& [is_point, index] = places[operand];
+    if (is_point)
+      return vertex.is_exact && vertex.exact_point == exact_coordinates(points[index]);
+    return std::any_of(vertex.ends.begin(), vertex.ends.end(), [&graph, i = index](const Arc_end& end) { return graph.is_part_of(end.arc, i); });
+  }
+
+  bool is_on(std::size_t operand, const Site_graph_2& graph, std::size_t arc) const { return !places[operand].first && graph.is_part_of(arc, places[operand].second); }
+
+private:
+  template <ParametricCurve_2 Curve>
+  std::pair<bool, std::size_t> add(const Curve& curve)
+  {
+    curves.emplace_back(curve);
+    return {false, curves.size() - 1};
+  }
+
+  std::pair<bool, std::size_t> add(const CGAL::Point_2<Kernel>& point)
+  {
+    points.push_back(point);
+    return {true, points.size() - 1};
+  }
+};
+
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
 Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
 {
-  const auto graph = std::make_shared<Site_graph_2>();
-  add_sites(*graph, a, 0);
-  add_sites(*graph, b, 1);
-  graph->close();
+  const Bisected_operands<Kernel> operands(a, b);
+  const auto graph = graph_of_crossing_curves<Concurrency_tag, Kernel>(operands.curves, operands.points);
   std::vector<int> sides;
   for (std::size_t i = 0; i < graph->arcs().size(); ++i)
-    sides.push_back(graph->curve_of_arc(i) == 0 ? -1 : 1);
+    sides.push_back(operands.is_on(1, *graph, i) - operands.is_on(0, *graph, i));
   for (const Site_graph_2::Vertex& vertex : graph->vertices())
-    sides.push_back(is_end_of_operand(*graph, vertex, b, 1) - is_end_of_operand(*graph, vertex, a, 0));
+    sides.push_back(operands.is_at(1, *graph, vertex) - operands.is_at(0, *graph, vertex));
   return {Voronoi_diagram_2<Kernel>(graph, std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(*graph, all_fronts(*graph)))), sides};
 }
 
@@ -57,8 +80,8 @@ the trimmed bisector of two curves in the plane: all points that have the same d
 
 The distance is that of the nearest point of a curve, which may be one of its ends. Other than `bisector_curves()`, this has no centers of circles that touch both curves, but have another point of them inside.
 
-Curves may share end points. Points of which such a common end is the only nearest point are equally far from both curves, too, but no part of the result: they form an area, or a normal of both. An edge between a common end and one of the curves is a part of the boundary of such an area, and belongs to the result.
-The curves must not cross or touch each other elsewhere, nor themselves, nor have a zero derivative: this is not checked, but there the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
+Curves may cross each other and themselves: a chain begins in each of the angles at a crossing of both. They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
+Where curves touch each other or themselves, or have a zero derivative, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
 
 It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 
@@ -77,7 +100,7 @@ Trimmed_bisector_2<typename C1::Kernel> trimmed_bisector(const C1& a, const C2& 
   return internal::trimmed_bisector_of<Concurrency_tag, typename C1::Kernel>(a, b);
 }
 
-//! the trimmed bisector of a curve and a point, which must not lie on it, other than on an end; with the curve on the right.
+//! the trimmed bisector of a curve and a point, with the curve on the right. Of a point on the curve, edges are between this point and the curve as it goes on.
 //! \throws Invalid_input as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>
 Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const Curve& a, const typename Curve::Kernel::Point_2& b)
@@ -109,7 +132,7 @@ the trimmed self-bisector of a curve in the plane: the centers of all disks that
 The points inside of a closed curve are its medial axis. That of a circle is a vertex of the diagram without edges.
 
 \tparam Concurrency_tag as above.
-\param curve a model of `ParametricCurve_2`; it must not cross or touch itself, nor have a zero derivative.
+\param curve a model of `ParametricCurve_2`; it may cross itself, but it must not touch itself, nor have a zero derivative.
 \throws Invalid_input as above.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/Trimmed_offset_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Graph_of_crossing_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
@@ -25,7 +26,7 @@ class Planar_region_2;
 
 the trimmed offset of curves and points in the plane: the boundary of the set of all points at no more than a distance from the nearest of them.
 
-Open curves are offset on both sides, with round ends. Curves may cross each other, and share end points.
+Open curves are offset on both sides, with round ends. Curves may cross each other, share end points, and be given twice or have pieces in common, which are offset once, as those of the curve with the lowest index.
 
 Along each side of each polynomial piece, and all normals of each end, those disks of the given radius are found that have no curve inside. By subdivision with interval arithmetic in double precision, as for a `voronoi_diagram()`: it is proved where they are free, or covered; the ends between are zeros of functions of one variable, and proved to be the only ones; and
 each is connected to the other curve that the disk touches there, not by coordinates. Two offsets that touch, radii of curvature of that size in a vertex of a curve, and curves that touch each other on the side in question are not decided: `Trimmed_offset_2::is_complete()` is false.
@@ -47,7 +48,7 @@ auto trimmed_offset(const Range& curves, const typename std::ranges::range_value
   const Exact_rational radius = internal::converted_number<Exact_rational>(distance);
   if (CGAL::sign(radius) != CGAL::POSITIVE)
     throw Invalid_input("trimmed_offset: the distance must be positive");
-  const auto graph = internal::site_graph(curves, points);
+  const auto graph = internal::graph_without_overlaps<Concurrency_tag, Kernel>(internal::site_curves(curves), points);
   return Trimmed_offset_2<Kernel>(std::make_shared<internal::Offset_cycles>(internal::offset_cycles<Concurrency_tag>(graph, radius, internal::all_fronts(*graph), false)), true);
 }
 

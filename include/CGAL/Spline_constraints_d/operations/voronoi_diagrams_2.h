@@ -20,7 +20,7 @@ namespace Spline_constraints {
 
 the Voronoi diagram of curves and points in the plane: which of them is nearest, for each point of the plane. Its edges are trimmed bisectors; the part within a closed curve is the medial axis there.
 
-The sites are the polynomial pieces of the curves, cut where curves cross each other or themselves or end on another one, all ends of these parts, and the points. Where curves touch or overlap, where three of them pass through a point of irrational parameters, and where a derivative is zero, the diagram is not resolved,
+The sites are the polynomial pieces of the curves, cut where curves cross each other or themselves or end on another one, all ends of these parts, and the points. A curve that is given twice, forward or backward, is one site, and so is a piece that curves have in common: then `Voronoi_diagram_2::coincident_parts()` tells which. Where curves touch, where three of them pass through a point of irrational parameters, and where a derivative is zero, the diagram is not resolved,
 and `Voronoi_diagram_2::is_complete()` is false.
 
 For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. Where curves join smoothly exact polynomials decide, and vertices of four sites or more are decided exactly if the sites are points, lines and circles and the center is rational. All are connected by their
@@ -39,7 +39,7 @@ template <class Concurrency_tag = CGAL::Sequential_tag, std::ranges::input_range
 auto voronoi_diagram(const Range& curves, const std::vector<typename std::ranges::range_value_t<Range>::Kernel::Point_2>& points = {})
 {
   using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
-  const auto graph = internal::graph_of_crossing_curves<Concurrency_tag>(curves, points);
+  const auto graph = internal::graph_of_crossing_curves<Concurrency_tag, Kernel>(internal::site_curves(curves), points);
   auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph)));
   return Voronoi_diagram_2<Kernel>(graph, diagram);
 }

@@ -172,8 +172,9 @@ public:
   {
     int result = 0;
     for (const Boundary_piece& piece : m_pieces) {
-      const auto [x, y] = seen_from(point, piece);
-      result += crossings_of_ray(x, y);
+      const auto& [x, y, w] = piece.coordinates;
+      if (const Exact_tensor height = y - w * point[1]; !misses_ray(height))
+        result += crossings_of_ray(x - w * point[0], height);
     }
     return result;
   }
@@ -200,9 +201,16 @@ private:
     return may_have_common_zero(x0, y0, halvings - 1) || may_have_common_zero(x1, y1, halvings - 1);
   }
 
+  // Whether a piece at these heights does not pass from points that are not above the ray to others, or back.
+  static bool misses_ray(const Exact_tensor& y)
+  {
+    const auto [lower, upper] = y.bounds();
+    return lower > 0 || upper <= 0;
+  }
+
   static int crossings_of_ray(const Exact_tensor& x, const Exact_tensor& y)
   {
-    if (is_negative(x) || is_positive(y) || y.bounds().second <= 0)
+    if (is_negative(x) || misses_ray(y))
       return 0;
     if (is_positive(x))
       return int(y.coefficients().back() > 0) - int(y.coefficients().front() > 0);

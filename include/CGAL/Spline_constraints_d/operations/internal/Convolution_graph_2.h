@@ -51,9 +51,7 @@ public:
   {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<Interval_pair> boxes;
-    for (const Convolution_piece_2& piece : m_pieces)
-      boxes.push_back(piece(piece.range()).point);
+    std::vector<Interval_pair> boxes = boxes_of_pieces();
     bool result = false;
     for (const Exact_pair& point : points)
       result = split_at(point, boxes) || result;
@@ -63,6 +61,14 @@ public:
   }
 
 private:
+  std::vector<Interval_pair> boxes_of_pieces() const
+  {
+    std::vector<Interval_pair> result;
+    for (const Convolution_piece_2& piece : m_pieces)
+      result.push_back(piece(piece.range()).point);
+    return result;
+  }
+
   static bool ends_in(const Convolution_piece_2& piece, const Exact_pair& point) { return piece.end(0).point == point || piece.end(1).point == point; }
 
   bool split_at(const Exact_pair& point, std::vector<Interval_pair>& boxes)
@@ -88,14 +94,17 @@ private:
     return !cuts.empty();
   }
 
-  // Numbers the ends, and removes pieces that are the same as others.
+  // Numbers the ends, and removes pieces that are the same as others. Most pairs have no point in common.
   void join_pieces()
   {
     const std::size_t n = m_pieces.size();
+    const std::vector<Interval_pair> boxes = boxes_of_pieces();
     Vertex_classes ends(2 * n);
     std::vector<bool> is_removed(n, false);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j) {
+        if (!may_meet(boxes[i], boxes[j]))
+          continue;
         for (const int d : {0, 1})
           for (const int e : {0, 1})
             if (are_same(m_pieces[i], d, m_pieces[j], e))

@@ -5,7 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_CROSSINGS_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curve_overlaps_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 
 #include <algorithm>
@@ -20,8 +21,10 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The points in which the curves of a collection cross each other or themselves, or end on another one, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
-are left out, and so are contacts and overlaps.
+The points in which the curves of a collection cross each other or themselves, end on another one, or pass through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
+are left out, and so are contacts.
+
+Where curves overlap, both are cut at the ends, and the part of the second one is marked as redundant; what crosses it crosses the first one.
 */
 class Curve_crossings_2
 {
@@ -41,24 +44,31 @@ private:
 
   std::vector<std::optional<Exact_pair>> m_points;   // of the crossings, where they are known exactly
   std::vector<Exact_pair> m_near_points;
-  std::vector<Planar_map> m_maps;                    // of the curves
+  std::vector<Spline_patch<2>> m_curves;
   std::vector<std::vector<Cut>> m_cuts;              // of each curve, by increasing parameters
+  std::vector<Coincident_parts_2> m_coincident_parts;
+  bool m_are_overlaps_proved = true;
 
 public:
-  template <class Concurrency_tag, class Curves>
-  static Curve_crossings_2 of(const Curves& curves)
+  template <class Concurrency_tag, SplineKernel Kernel>
+  static Curve_crossings_2 of(const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points)
   {
-    Curve_crossings_2 result;
-    for (const auto& curve : curves)
-      result.m_maps.emplace_back(curve);
-    result.m_cuts.resize(result.m_maps.size());
-    for (const auto& pair : pairwise_intersections<Concurrency_tag>(curves, {}, Self_intersections::INCLUDED).pairs)
-      for (const auto& intersection : pair.intersections)
-        if (intersection.kind() == Intersection_kind::TRANSVERSAL || intersection.kind() == Intersection_kind::END_POINT)
-          result.add({pair.first, pair.second}, intersection);
-    for (auto& cuts : result.m_cuts)
-      std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter < b.parameter; });
-    result.remove_crossings_that_are_too_near();
+    Curve_crossings_2 result(curves);
+    const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
+    result.add_overlaps(pairs);
+    result.add_crossings(pairs);
+    result.add_points<Concurrency_tag, Kernel>(points);
+    result.close();
+    return result;
+  }
+
+  // Only the overlaps, and their ends as cuts.
+  template <class Concurrency_tag, SplineKernel Kernel>
+  static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves)
+  {
+    Curve_crossings_2 result(curves);
+    result.add_overlaps(result.intersecting_pairs<Concurrency_tag, Kernel>());
+    result.close();
     return result;
   }
 
@@ -76,8 +86,78 @@ public:
     return result;
   }
 
+  // Whether a range of a curve is within one that a curve before has in common with it.
+  bool is_redundant(std::size_t curve, const Parameter_range& range) const
+  {
+    return std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) { return parts.hold(1, curve, range); });
+  }
+
+  const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
+
+  // Whether overlaps are proved wherever there are any.
+  bool are_overlaps_proved() const { return m_are_overlaps_proved; }
+
 private:
-  Exact_pair at(std::size_t curve, const Exact_rational& t) const { return m_maps[curve](std::array<Exact_rational, 1>{t}); }
+  explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_cuts(curves.size())
+  {
+    for (const Site_curve_2& curve : curves)
+      m_curves.push_back(curve.patch);
+  }
+
+  template <class Concurrency_tag, SplineKernel Kernel>
+  std::vector<Intersecting_pair<Kernel, 2>> intersecting_pairs() const
+  {
+    return Pairwise_intersector<Kernel, 2>({}).template within<Concurrency_tag>(m_curves, Self_intersections::INCLUDED).pairs;
+  }
+
+  template <class Pairs>
+  void add_overlaps(const Pairs& pairs)
+  {
+    for (const auto& pair : pairs)
+      for (const auto& intersection : pair.intersections)
+        if (intersection.kind() == Intersection_kind::OVERLAP)
+          add_overlaps({pair.first, pair.second}, {intersection.parameter_range(0), intersection.parameter_range(1)});
+  }
+
+  template <class Pairs>
+  void add_crossings(const Pairs& pairs)
+  {
+    for (const auto& pair : pairs)
+      for (const auto& intersection : pair.intersections)
+        if ((intersection.kind() == Intersection_kind::TRANSVERSAL || intersection.kind() == Intersection_kind::END_POINT) && !is_redundant(pair.first, intersection.parameter_range(0)) && !is_redundant(pair.second, intersection.parameter_range(1)))
+          add({pair.first, pair.second}, intersection);
+  }
+
+  // Those that lie on curves.
+  template <class Concurrency_tag, SplineKernel Kernel>
+  void add_points(const std::vector<Exact_pair>& points)
+  {
+    const std::vector<Spline_patch<2>> patches(points.begin(), points.end());
+    for (const auto& pair : Pairwise_intersector<Kernel, 2>({}).template between<Concurrency_tag>(patches, m_curves).pairs)
+      for (const auto& intersection : pair.intersections)
+        if (intersection.kind() == Intersection_kind::TRANSVERSAL && !is_redundant(pair.second, intersection.parameter_range(1)))
+          add_point(points[pair.first], pair.second, intersection.parameter_range(1));
+  }
+
+  Exact_pair at(std::size_t curve, const Exact_rational& t) const { return m_curves[curve](std::array<Exact_rational, 1>{t}); }
+
+  // Of curves, or of different parts of one curve.
+  void add_overlaps(const std::array<std::size_t, 2>& curves, const std::array<Parameter_range, 2>& ranges)
+  {
+    const std::vector<Curve_overlap_2> overlaps = overlaps_of_curves(m_curves[curves[0]], m_curves[curves[1]], ranges);
+    m_are_overlaps_proved = m_are_overlaps_proved && !overlaps.empty();
+    for (const Curve_overlap_2& overlap : overlaps) {
+      if (curves[0] == curves[1] && overlap.parameters[1].first < overlap.parameters[0].second)
+        continue;
+      m_coincident_parts.push_back({curves, overlap});
+      for (std::size_t k = 0; k < 2; ++k)
+        for (const Exact_rational& t : {overlap.parameters[k].first, overlap.parameters[k].second}) {
+          m_cuts[curves[k]].push_back({{t, t}, m_points.size()});
+          m_near_points.push_back(at(curves[k], t));
+          m_points.push_back(m_near_points.back());
+        }
+    }
+  }
 
   template <class Intersection>
   void add(const std::array<std::size_t, 2>& curves, const Intersection& intersection)
@@ -100,21 +180,37 @@ private:
     m_points.push_back(is_exact || intersection.is_at_end(0) || intersection.is_at_end(1) ? std::optional(m_near_points.back()) : std::nullopt);
   }
 
+  void add_point(const Exact_pair& point, std::size_t curve, const Parameter_range& range)
+  {
+    const Exact_rational t = simplest_parameter(curve, range, false);
+    m_cuts[curve].push_back({at(curve, t) == point ? Parameter_range(t, t) : with_short_ends({range})[0], m_points.size()});
+    m_near_points.push_back(point);
+    m_points.push_back(point);
+  }
+
   Exact_rational simplest_parameter(std::size_t curve, const Parameter_range& range, bool is_at_end) const
   {
-    const auto& [begin, end] = m_maps[curve].domain(0);
+    const auto [begin, end] = m_curves[curve].domain(0);
     return !is_at_end ? simplest_rational_between(range.first, range.second) : range.first <= begin ? begin : end;
+  }
+
+  void close()
+  {
+    for (auto& cuts : m_cuts)
+      std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter < b.parameter; });
+    remove_crossings_that_are_too_near();
   }
 
   void remove_crossings_that_are_too_near()
   {
     std::vector<char> is_removed(size(), false);
     for (std::size_t curve = 0; curve < m_cuts.size(); ++curve) {
-      const std::vector<Exact_rational> breaks = m_maps[curve].breaks(0);
+      const std::vector<Exact_rational> breaks = m_curves[curve].breaks(0);
       const std::vector<Cut>& cuts = m_cuts[curve];
       for (std::size_t i = 0; i < cuts.size(); ++i) {
         if (i > 0 && are_too_near(cuts[i - 1], cuts[i]))
-          is_removed[cuts[i - 1].crossing] = is_removed[cuts[i].crossing] = true;
+          for (const Cut& cut : {cuts[i - 1], cuts[i]})
+            is_removed[cut.crossing] = !cut.is_exact();
         for (const Exact_rational& at : breaks)
           if (!cuts[i].is_exact() && (at < cuts[i].parameter.first ? are_too_near({{at, at}, 0}, cuts[i]) : are_too_near(cuts[i], {{at, at}, 0})))
             is_removed[cuts[i].crossing] = true;

@@ -85,7 +85,7 @@ public:
   bool is_complete() const
   {
     const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return m_unmatched == 0 && m_graph.are_orders_proved() && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
+    return m_unmatched == 0 && m_graph.is_proved() && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
   }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The graph of curves, cut where they cross, and of isolated points.
+// The graph of curves, cut where they cross, without parts that an earlier curve has, too; and of isolated points.
 class Graph_of_crossing_curves
 {
   const Curve_crossings_2& m_crossings;
@@ -25,18 +25,16 @@ class Graph_of_crossing_curves
   std::vector<std::optional<std::size_t>> m_vertices;   // of the crossings, made when they are needed
 
 public:
-  template <class Curves, class Points>
-  Graph_of_crossing_curves(const Curve_crossings_2& crossings, const Curves& curves, const Points& points) : m_crossings(crossings), m_vertices(crossings.size())
+  Graph_of_crossing_curves(const Curve_crossings_2& crossings, const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points) : m_crossings(crossings), m_vertices(crossings.size())
   {
-    std::size_t index = 0;
-    for (const auto& curve : curves) {
-      for (const Homogeneous_piece& piece : homogeneous_pieces(curve, Planar_map(curve)))
-        add_parts(piece, index);
-      ++index;
-    }
-    for (const auto& point : points)
-      add_sites(*m_graph, point, index);
-    m_graph->close();
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      for (const Homogeneous_piece& piece : curves[i].pieces)
+        add_parts(piece, i);
+    for (const Exact_pair& point : points)
+      m_graph->add_point(point);
+    for (const Coincident_parts_2& parts : m_crossings.coincident_parts())
+      m_graph->add_coincident_parts(parts);
+    m_graph->close(m_crossings.are_overlaps_proved());
   }
 
   std::shared_ptr<const Site_graph_2> operator()() const { return m_graph; }
@@ -50,6 +48,8 @@ private:
     const std::vector<Cut> cuts = m_crossings.cuts(curve, piece.domain);
     for (std::size_t i = 0; i <= cuts.size(); ++i) {
       const Exact_rational begin = i == 0 ? piece.domain.first : cuts[i - 1].middle(), end = i == cuts.size() ? piece.domain.second : cuts[i].middle();
+      if (m_crossings.is_redundant(curve, {begin, end}))
+        continue;
       Homogeneous_piece part{{begin, end}, piece.coordinates};
       for (Bernstein_tensor<Exact_rational>& tensor : part.coordinates)
         tensor = tensor.restricted(0, piece.local(begin), piece.local(end));
@@ -67,10 +67,26 @@ private:
   }
 };
 
-template <class Concurrency_tag, class Curves, class Points>
-std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const Curves& curves, const Points& points)
+template <SplineKernel Kernel>
+std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& points)
 {
-  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag>(curves), curves, points)();
+  std::vector<Exact_pair> result;
+  for (const auto& point : points)
+    result.push_back(exact_coordinates(point));
+  return result;
+}
+
+template <class Concurrency_tag, SplineKernel Kernel>
+std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
+{
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact_points(points)), curves, exact_points(points))();
+}
+
+// The same without cuts at crossings.
+template <class Concurrency_tag, SplineKernel Kernel>
+std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
+{
+  return Graph_of_crossing_curves(Curve_crossings_2::overlaps_of<Concurrency_tag, Kernel>(curves), curves, exact_points(points))();
 }
 
 } // namespace internal

@@ -85,7 +85,7 @@ public:
   // Whether all fronts are decided, and all chains closed and nested.
   bool is_complete() const
   {
-    return m_is_nested && std::all_of(m_ranges.begin(), m_ranges.end(), [](const Free_ranges& ranges) { return ranges.undecided.empty(); }) && std::all_of(m_chains.begin(), m_chains.end(), [](const Chain& chain) { return chain.is_closed; });
+    return m_graph->is_proved() && m_is_nested && std::all_of(m_ranges.begin(), m_ranges.end(), [](const Free_ranges& ranges) { return ranges.undecided.empty(); }) && std::all_of(m_chains.begin(), m_chains.end(), [](const Chain& chain) { return chain.is_closed; });
   }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.

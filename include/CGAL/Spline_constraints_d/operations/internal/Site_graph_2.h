@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <algorithm>
@@ -107,7 +108,8 @@ private:
   std::vector<Vertex> m_vertices;
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
-  bool m_are_orders_proved = true;
+  std::vector<Coincident_parts_2> m_coincident_parts;
+  bool m_is_proved = true;
 
 public:
   // The vertex with given coordinates.
@@ -148,9 +150,13 @@ public:
     m_arcs.push_back(std::move(arc));
   }
 
-  // Orders the arcs around the vertices, and makes the fronts.
-  void close()
+  // For parts that other curves have, too, and only one of which has been added.
+  void add_coincident_parts(const Coincident_parts_2& parts) { m_coincident_parts.push_back(parts); }
+
+  // Orders the arcs around the vertices, and makes the fronts. Where some may overlap, the graph is not proved.
+  void close(bool are_arcs_disjoint = true)
   {
+    m_is_proved = are_arcs_disjoint;
     for (std::size_t i = 0; i < m_arcs.size(); ++i) {
       m_fronts.push_back({false, i, false});
       m_fronts.push_back({false, i, true});
@@ -159,7 +165,7 @@ public:
     m_nearly_smooth_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       order_ends(m_vertices[v]);
-      m_are_orders_proved = m_are_orders_proved && is_order_proved(m_vertices[v]);
+      m_is_proved = m_is_proved && is_order_proved(m_vertices[v]);
       find_continuations(m_vertices[v]);
       connect_fronts(v);
     }
@@ -169,6 +175,13 @@ public:
   const std::vector<Vertex>& vertices() const { return m_vertices; }
   const std::vector<Front>& fronts() const { return m_fronts; }
   std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
+  const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
+
+  // Whether an arc is a part of a curve, its own or one that overlaps it there.
+  bool is_part_of(std::size_t arc, std::size_t curve) const
+  {
+    return m_curve_of_arc[arc] == curve || std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) { return parts.curves[1] == curve && parts.hold(0, m_curve_of_arc[arc], m_arcs[arc].piece().domain); });
+  }
 
   // The parameter of a point of an arc, of its curve.
   double curve_parameter(std::size_t arc, double u) const
@@ -183,8 +196,8 @@ public:
   // Whether an arc ends where its piece does.
   bool is_exact(const Arc_end& end) const { return m_is_end_exact[end.arc][end.is_end]; }
 
-  // Whether the order of the arcs around all vertices is proved.
-  bool are_orders_proved() const { return m_are_orders_proved; }
+  // Whether the order of the arcs around all vertices is proved, and no arcs are known to overlap.
+  bool is_proved() const { return m_is_proved; }
 
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
 
