@@ -115,6 +115,16 @@ TEST(CrossingCurves, Loop)
 }
 
 // Curves that touch, or three of them through an irrational point, are not cut.
+TEST(CrossingCurves, ThinLoops)
+{
+  // Loops 100 to 10,000 times as long as wide, with ends that nearly have one tangent.
+  for (const Curve& curve : {bezier({P(0.84184, 0.64739), P(0.43936, 0.55308), P(0.27198, 0.22562), P(0.76865, 0.77604)}), bezier({P(0.75899, 0.19133), P(0.12291, 0.87313), P(0.85652, 0.21591), P(0.22085, 0.74730)})}) {
+    const Diagram diagram = SC::voronoi_diagram(Curves{curve});
+    expect_right(diagram, {curve}, 1);
+    EXPECT_EQ(number_of_parts(diagram), 3U);
+  }
+}
+
 TEST(CrossingCurves, ContactsAreNotCut)
 {
   const auto number_of_arcs = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), {})->arcs().size(); };
