@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <vector>
 
@@ -33,7 +34,7 @@ void expect_arc(const Curve& curve, const R::Point_2& source, const R::Point_2& 
 {
   EXPECT_EQ(curve.source(), source);
   EXPECT_EQ(curve.target(), target);
-  const SC::internal::Conic_equation conic(arc);
+  const SC::internal::Conic_equation conic = SC::internal::conic_equation(arc);
   const auto [begin, end] = curve.domain();
   const auto at = [&](int i) { return curve(begin + (end - begin) * Rational(i, 6)); };
   for (int i = 0; i <= 6; ++i)
@@ -108,7 +109,7 @@ TEST(Conic_traits_curves, whole_ellipses_are_converted)
   const Arc ellipse(1, 1, 1, -1, 1, -6);
   const auto slanted = SC::to_bspline_curve(ellipse);
   EXPECT_TRUE(slanted.is_closed());
-  const SC::internal::Conic_equation conic(ellipse);
+  const SC::internal::Conic_equation conic = SC::internal::conic_equation(ellipse);
   for (int i = 0; i <= 8; ++i)
     EXPECT_EQ(conic(SC::internal::exact_object(slanted(Rational(i, 2)))), 0);
   EXPECT_EQ(CGAL::orientation(slanted(0), slanted(1), slanted(2)), ellipse.orientation());
@@ -133,6 +134,91 @@ TEST(Conic_traits_curves, parabolas_hyperbolas_and_segments_are_converted)
   EXPECT_EQ(segment.source(), R::Point_2(1, 2));
   EXPECT_EQ(segment.target(), R::Point_2(4, 6));
   expect_invalid([] { SC::to_bspline_curve(Arc()); }, "not valid");
+}
+
+// It is the same arc: on the same conic, which has one equation with coprime integers, up to the sign.
+void expect_same_arc(const Arc& back, const Arc& arc)
+{
+  ASSERT_TRUE(back.is_valid());
+  EXPECT_EQ(back.orientation(), arc.orientation());
+  EXPECT_EQ(back.is_full_conic(), arc.is_full_conic());
+  if (!arc.is_full_conic()) {
+    EXPECT_TRUE(back.source() == arc.source());
+    EXPECT_TRUE(back.target() == arc.target());
+  }
+  if (arc.orientation() == CGAL::COLLINEAR)
+    return;
+  const std::vector<CORE::BigInt> a{arc.r(), arc.s(), arc.t(), arc.u(), arc.v(), arc.w()}, b{back.r(), back.s(), back.t(), back.u(), back.v(), back.w()};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_EQ(a[i] * b[j], a[j] * b[i]);
+}
+
+TEST(Conic_traits_curves, are_given_back)
+{
+  const std::vector<Arc> arcs{Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(5, 0), Point(-3, 2)),
+                              Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(5, 0), Point(-3, 2)),
+                              Arc(1, 4, 0, 0, 0, -25, CGAL::COUNTERCLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
+                              Arc(1, 4, 0, 0, 0, -25, CGAL::CLOCKWISE, Point(-3, 2), Point(-4, Algebraic(3) / Algebraic(2))),
+                              Arc(1, 0, 0, 0, -1, 0, CGAL::COUNTERCLOCKWISE, Point(-1, 1), Point(2, 4)),
+                              Arc(0, 0, 1, 0, 0, -1, CGAL::COUNTERCLOCKWISE, Point(Algebraic(1) / Algebraic(2), 2), Point(3, Algebraic(1) / Algebraic(3))),
+                              Arc(R::Segment_2(R::Point_2(1, 2), R::Point_2(4, 6))),
+                              Arc(R::Circle_2(R::Point_2(1, 2), Rational(5))),
+                              Arc(1, 1, 1, -1, 1, -6),
+                              Arc(-1, -1, -1, 1, -1, 6)};
+  for (const Arc& arc : arcs) {
+    ASSERT_TRUE(arc.is_valid());
+    const auto back = SC::to_conic_traits_curves<Traits>(SC::to_bspline_curve(arc));
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->size(), 1u);
+    expect_same_arc(back->front(), arc);
+  }
+}
+
+TEST(Conic_traits_curves, of_curves_join_what_is_on_one_conic)
+{
+  using Points = std::vector<R::Point_2>;
+  // A circle without a part, and two parabolas and a segment.
+  const auto circle = SC::circle_curve<R>(R::Point_2(0, 0), Rational(5));
+  const auto parts = SC::to_conic_traits_curves<Traits>(circle.restricted(Rational(1, 3), Rational(7, 2)));
+  ASSERT_TRUE(parts);
+  ASSERT_EQ(parts->size(), 1u);
+  EXPECT_FALSE(parts->front().is_full_conic());
+  EXPECT_EQ(parts->front().orientation(), CGAL::COUNTERCLOCKWISE);
+  const SC::Bspline_curve_2<R> corner(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 3}, {4, 4}});
+  const auto pieces = SC::to_conic_traits_curves<Traits>(corner);
+  ASSERT_TRUE(pieces);
+  ASSERT_EQ(pieces->size(), 3u);
+  EXPECT_EQ((*pieces)[2].orientation(), CGAL::COLLINEAR);
+  EXPECT_TRUE((*pieces)[2].source() == Point(2, 2) && (*pieces)[2].target() == Point(4, 4));
+
+  // A cubic, a quadratic that runs back on a line, one that is slow at an end, and a point.
+  EXPECT_FALSE(SC::to_conic_traits_curves<Traits>(SC::bezier_curve<R>(Points{{0, 0}, {1, 0}, {1, 1}, {0, 2}})));
+  EXPECT_FALSE(SC::to_conic_traits_curves<Traits>(SC::bezier_curve<R>(Points{{0, 0}, {3, 3}, {2, 2}})));
+  EXPECT_TRUE(SC::to_conic_traits_curves<Traits>(SC::bezier_curve<R>(Points{{0, 0}, {2, 2}, {2, 2}})));
+  EXPECT_FALSE(SC::to_conic_traits_curves<Traits>(SC::bezier_curve<R>(Points{{1, 1}, {1, 1}, {1, 1}})));
+}
+
+// Random rational quadratic curves are arcs through their points: of ellipses and parabolas, where CGAL 5.5 is right about all of them.
+TEST(Conic_traits_curves, of_random_curves_hold_their_points)
+{
+  Random_geometry random(17);
+  std::size_t arcs = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto points = random.points<R, 2>(3);
+    auto weights = Random_geometry::kernel_numbers<R>(random.weights(3));
+    weights[1] = i == 0 ? weights[0] : (std::min)(weights[0], weights[2]) * Rational(random.integer(1, 9), 9);
+    weights[2] = i == 0 ? weights[0] : weights[2];
+    const SC::Bspline_curve_2<R> curve(2, {0, 0, 0, 1, 1, 1}, points, weights);
+    if (CGAL::collinear(points[0], points[1], points[2]))
+      continue;
+    const auto parts = SC::to_conic_traits_curves<Traits>(curve);
+    ASSERT_TRUE(parts);
+    ASSERT_EQ(parts->size(), 1u);
+    expect_arc(curve, points[0], points[2], CGAL::orientation(points[0], points[1], points[2]), parts->front());
+    ++arcs;
+  }
+  EXPECT_GT(arcs, 15u);
 }
 
 } // namespace

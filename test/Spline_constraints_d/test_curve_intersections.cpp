@@ -192,6 +192,109 @@ TEST(Curve_intersections, TangentsAtIrrationalParameters)
   EXPECT_TRUE(crossing.is_complete() && crossing.count(Intersection_kind::TRANSVERSAL) == 4 && crossing.size() == 4);
 }
 
+// The Bernstein coefficients of a polynomial with these coefficients, over an interval.
+template <class FT>
+std::vector<FT> bernstein_coefficients(const std::vector<FT>& polynomial, const FT& begin, const FT& end)
+{
+  const int n = static_cast<int>(polynomial.size()) - 1;
+  std::vector<FT> local(polynomial.size(), FT(0));   // in powers of (t - begin) / (end - begin), by Horner's scheme
+  for (int i = n; i >= 0; --i) {
+    for (int j = n; j > 0; --j)
+      local[j] = local[j] * begin + local[j - 1] * (end - begin);
+    local[0] = local[0] * begin + polynomial[i];
+  }
+  for (int k = 1; k <= n; ++k) {   // divided by the binomial coefficients, then summed
+    FT binomial(1);
+    for (int i = 0; i < k; ++i)
+      binomial = binomial * (n - i) / (i + 1);
+    local[k] = local[k] / binomial;
+  }
+  for (int round = 0; round < n; ++round)
+    for (int j = n; j > round; --j)
+      local[j] = local[j] + local[j - 1];
+  return local;
+}
+
+// y = x^2 + (x^r - 2)^k, in exact coordinates, for -2 <= x <= 2.
+template <class K>
+SC::Bspline_curve_2<K> curve_of_contact(int r, int k)
+{
+  using FT = typename K::FT;
+  std::vector<FT> y{FT(1)};
+  for (int i = 0; i < k; ++i) {
+    std::vector<FT> next(y.size() + r, FT(0));
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      next[j] = next[j] - 2 * y[j];
+      next[j + r] = next[j + r] + y[j];
+    }
+    y = next;
+  }
+  y[2] = y[2] + 1;
+  std::vector<FT> x(y.size(), FT(0));
+  x[1] = FT(1);
+  x = bernstein_coefficients(x, FT(-2), FT(2));
+  y = bernstein_coefficients(y, FT(-2), FT(2));
+  std::vector<typename K::Point_2> points;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    points.emplace_back(x[i], y[i]);
+  return SC::bezier_curve(points);
+}
+
+// Contacts of a parabola with those curves where x is a root of 2, in other coordinates and with other parameters.
+TEST(Curve_intersections, ContactsOfHighOrderAtIrrationalParameters)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const std::vector<K::Point_2> points{{-3, 9}, {0, -9}, {3, 9}};
+  const CGAL::Aff_transformation_2<K> map(3, -1, 7, 1, 2, 5, 3);
+  const SC::Bspline_curve_2<K> parabola = SC::bezier_curve(points), other_speed(2, {0, 0, 0, 1, 1, 1}, {{-3, 9}, {0, -9}, {3, 9}}, {1, 2, 4});
+  for (const int r : {2, 3})
+    for (int k = 2; k <= (r == 2 ? 4 : 3); ++k)
+      for (const bool is_other : {false, true}) {
+        if (k + r > 5 && is_other)
+          continue;
+        const auto curve = is_other ? curve_of_contact<K>(r, k).transformed(map) : curve_of_contact<K>(r, k);
+        const auto contacts = SC::intersections(curve, is_other ? other_speed.transformed(map) : parabola);
+        EXPECT_TRUE(contacts.is_complete()) << r << ' ' << k;
+        ASSERT_EQ(contacts.size(), r == 2 ? 2u : 1u);
+        for (const auto& x : contacts) {
+          EXPECT_EQ(x.kind(), Intersection_kind::TANGENT);
+          EXPECT_EQ(x.multiplicity(), k);
+          EXPECT_NEAR(std::abs(4 * x.parameter(0) - 2), std::pow(2, 1. / r), 1e-12);
+        }
+      }
+  // No contact: two crossings and one beside them, or none, not a multiple root.
+  const auto curve = curve_of_contact<K>(2, 3);
+  for (const double gap : {-1e-9, 1e-9}) {
+    const auto near = SC::intersections(curve.transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, K::Vector_2(0, gap))), parabola);
+    for (const auto& x : near)
+      EXPECT_NE(x.kind(), Intersection_kind::TANGENT);
+  }
+}
+
+// y = x^2 + c max(x, 0)^3 touches y = -x^2 and y = 0 at a knot where its third derivative jumps; with the second one, the two sides count differently.
+TEST(Curve_intersections, TangentsOnKnots)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const auto bent = [](const SC::Bspline_curve_2<K>& curve) {   // at its last knot, the last point moved
+    auto points = curve.control_points();
+    points.back() = K::Point_2(1, 5);
+    return SC::Bspline_curve_2<K>(curve.degree(), curve.knots(), points);
+  };
+  const SC::Bspline_curve_2<K> upwards = SC::bezier_curve(std::vector<K::Point_2>{{-1, 1}, {0, -1}, {1, 1}}).with_domain(-1, 1);
+  const SC::Bspline_curve_2<K> downwards = SC::bezier_curve(std::vector<K::Point_2>{{-1, -1}, {0, 1}, {1, -1}});
+  const SC::Bspline_curve_2<K> line = SC::segment_curve(K::Point_2(-2, 0), K::Point_2(2, 0));
+  for (const int smoothness : {2, 1})
+    for (const auto& other : {downwards, line}) {
+      const SC::Bspline_curve_2<K> curve = bent(smoothness == 2 ? upwards.elevated(3).with_knot(0) : upwards.with_knot(0));
+      const auto contacts = SC::intersections(curve, other);
+      EXPECT_TRUE(contacts.is_complete());
+      ASSERT_EQ(contacts.size(), 1u);
+      EXPECT_EQ(contacts[0].kind(), Intersection_kind::TANGENT);
+      EXPECT_EQ(contacts[0].multiplicity(), smoothness == 2 ? 2 : 0);
+      EXPECT_NEAR(contacts[0].parameter(0), 0, 1e-12);
+    }
+}
+
 // Curves on the surface z = x^2 + y, which cross where x^2 = 3/2; then moved, so that no coordinate is simple.
 TEST(Curve_intersections, InSpace)
 {

@@ -3,6 +3,7 @@
 
 #include "geometry_test_tools.h"
 
+#include <CGAL/Spline_constraints_d/geometry/clipped_lines.h>
 #include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
@@ -47,6 +48,41 @@ TEST(From_bspline, gives_segments_and_polygons_back)
   const SC::Bspline_curve_2<I> floating(2, {0, 1, 2, 4, 5, 6}, {{0, 0}, {0.5, 1}, {1, 2}});
   EXPECT_FALSE(SC::to_segment(floating));
   EXPECT_EQ(SC::to_segment(SC::Bspline_curve_2<K>(floating)), K::Segment_2(K::Point_2(K::FT(1) / 6, K::FT(1) / 3), K::Point_2(K::FT(5) / 6, K::FT(5) / 3)));
+}
+
+TEST(From_bspline, gives_triangles_rectangles_and_lines_back)
+{
+  const K::Triangle_2 triangle({0, 0}, {4, 1}, {1, 5});
+  EXPECT_EQ(SC::to_triangle(SC::to_bspline_curve(triangle).elevated(3)), triangle);
+  const I::Triangle_3 in_space({0, 0, 0.1}, {4, 1, 2}, {1, 5, 7});
+  EXPECT_EQ(SC::to_triangle(SC::to_bspline_curve(in_space)), in_space);
+  const I::Iso_rectangle_2 rectangle({0.1, 1}, {0.3, 2});
+  const auto boundary = SC::to_bspline_curve(rectangle);
+  EXPECT_EQ(SC::to_iso_rectangle(boundary), rectangle);
+  EXPECT_EQ(SC::to_iso_rectangle(boundary.reversed()), rectangle);
+  EXPECT_FALSE(SC::to_triangle(boundary));
+  EXPECT_FALSE(SC::to_iso_rectangle(boundary.restricted(0, 2)));
+  EXPECT_FALSE(SC::to_iso_rectangle(SC::to_bspline_curve(triangle)));
+  using Points = std::vector<K::Point_2>;
+  EXPECT_TRUE(SC::to_iso_rectangle(SC::polyline_curve<K>(Points{{0, 1}, {2, 1}, {2, 0}, {0, 0}, {0, 1}})));
+  EXPECT_FALSE(SC::to_iso_rectangle(SC::polyline_curve<K>(Points{{0, 1}, {2, 1}, {2, 0}, {2, 1}, {0, 1}})));
+  EXPECT_FALSE(SC::to_iso_rectangle(SC::polyline_curve<K>(Points{{0, 1}, {2, 0}, {2, 1}, {0, 0}, {0, 1}})));
+  EXPECT_FALSE(SC::to_iso_rectangle(SC::polyline_curve<K>(Points{{0, 1}, {2, 1}, {2, 0}, {1, 0}, {0, 1}})));
+
+  const K::Line_2 line(K::Point_2(1, 2), K::Point_2(4, 6));
+  const K::Iso_rectangle_2 window({-10, -10}, {10, 10});
+  EXPECT_EQ(SC::to_line(*SC::to_bspline_curve(line, window)), line);
+  EXPECT_EQ(SC::to_line(*SC::to_bspline_curve(line.opposite(), window)), line.opposite());
+  const K::Ray_2 ray(K::Point_2(1, 2), K::Point_2(4, 6));
+  const auto part = *SC::to_bspline_curve(ray, window);
+  EXPECT_EQ(SC::to_line(part), ray.supporting_line());
+  EXPECT_EQ(SC::to_segment(part)->source(), ray.source());
+  EXPECT_EQ(SC::to_line(SC::bezier_curve<K>(Points{{1, 2}, {1, 2}, {4, 6}})), line);   // at another speed
+  EXPECT_EQ(SC::to_line(SC::bezier_curve<K>(Points{{1, 2}, {4, 6}, {1, 2}})), line);   // and back
+  EXPECT_FALSE(SC::to_line(SC::bezier_curve<K>(Points{{0, 0}, {1, 0}, {2, 1}})));
+  EXPECT_FALSE(SC::to_line(SC::bezier_curve<K>(Points{{1, 1}, {1, 1}})));
+  const K::Line_3 line_in_space(K::Point_3(1, 2, 3), K::Point_3(2, 0, 7));
+  EXPECT_EQ(SC::to_line(*SC::to_bspline_curve(line_in_space, K::Iso_cuboid_3({0, 0, 0}, {9, 9, 9}))), line_in_space);
 }
 
 TEST(From_bspline, gives_circles_back)

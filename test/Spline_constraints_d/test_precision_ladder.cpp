@@ -98,11 +98,12 @@ TEST(Precision_ladder, EndsWhereItIsTold)
   expect_solved(problem, solve(problem.system));
 }
 
-// Irrational and of multiplicity three: no precision decides it, and the budget ends.
+// Irrational, of multiplicity three and of degree seven: no precision decides it, and the budget ends.
 TEST(Precision_ladder, NothingIsLostWherePrecisionDoesNotHelp)
 {
-  const Coordinate root = Coordinate::near(std::sqrt(2.0));
-  const Problem problem{"triple at an irrational point", with_equalities(cube(2, 0, 2), {square(x * x - 2) * (x * x - 2), y - x}), 1, {{root, root}}};
+  const Coordinate root = Coordinate::near(std::pow(2.0, 1. / 7));
+  const auto power = x * x * x * x * x * x * x - 2;
+  const Problem problem{"triple at an irrational point", with_equalities(cube(2, 0, 2), {square(power) * power, y - x}), 1, {{root, root}}};
   const auto solutions = solve(problem.system);
   EXPECT_FALSE(solutions.is_complete());
   expect_nothing_lost(problem.known, solutions);

@@ -235,9 +235,12 @@ TEST(Surface_intersections, CurvesAlongASurface)
   EXPECT_EQ(twice[0].parameter_range(0), Range(ratio(1, 5), ratio(4, 5)));
 
   // It leaves the surface at 1/sqrt(2).
-  const auto open = SC::intersections(along(t, FT(2) * t * t), graph, {.node_limit = 500});
-  EXPECT_FALSE(open.empty());
-  EXPECT_FALSE(open.is_complete());
+  const auto irrational = SC::intersections(along(t, FT(2) * t * t), graph);
+  EXPECT_TRUE(irrational.is_complete());
+  ASSERT_EQ(irrational.size(), 1u);
+  EXPECT_EQ(irrational[0].kind(), Intersection_kind::OVERLAP);
+  EXPECT_EQ(irrational[0].parameter_range(0).first, 0);
+  EXPECT_NEAR(CGAL::to_double(irrational[0].parameter_range(0).second), 0.5 * std::sqrt(2), 1e-12);
 }
 
 // A circle that is no line of the parameters, on a sphere and on parts of it: inside where its points satisfy inequalities.
@@ -278,6 +281,41 @@ TEST(Surface_intersections, CirclesOnASphere)
   expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 1, 1), Point(1, 0, 2)), sphere), 0);
   const Surface lower = sphere.restricted(1, begin, FT((begin + end) / 2)), upper = sphere.restricted(1, FT((begin + end) / 2), end);
   expect_kinds(SC::intersections(SC::circle_curve(Point(0, 0, 2), Vector(0, 0, 1), Point(1, 2, 2)), sphere(FT(0), begin).z() < 0 ? lower : upper), 0);
+}
+
+// Ellipses on a cylinder that is too short for them, and on a cone; a circle of Villarceau on one half of a torus. A part of the curve is on the surface where its points are between two heights.
+TEST(Surface_intersections, ConicsOnCylindersConesAndTori)
+{
+  struct Problem
+  {
+    Curve curve;
+    Surface surface;
+    int axis, lower, upper;   // the coordinate of the heights
+    std::size_t overlaps;
+  };
+  const Curve villarceau = SC::circle_curve(Point(0, 3, 0), Vector(-3, 0, 4), Point(0, -2, 0));
+  const Surface torus = SC::torus_surface(Point(0, 0, 0), FT(5), FT(3));
+  const std::vector<Problem> problems{
+    {SC::ellipse_curve<K>(Point(0, 0, 0), Vector(1, 0, 3), Vector(0, 1, 0)), SC::cylinder_surface(Point(0, 0, -2), FT(1), FT(4)), 2, -2, 2, 2},
+    {SC::ellipse_curve<K>(Point(ratio(3, 2), 0, ratio(5, 2)), Vector(ratio(5, 2), 0, ratio(3, 2)), Vector(0, 2, 0)), SC::cone_surface<K>(Point(0, 0, 0), Vector(0, 0, 1), Point(3, 0, 3)), 2, 0, 3, 1},
+    {villarceau, torus.restricted(0, 0, 2), 1, 0, 10, 1}};
+  for (const Problem& problem : problems) {
+    const auto pieces = SC::intersections(problem.curve, problem.surface);
+    EXPECT_TRUE(pieces.is_complete()) << pieces.summary();
+    EXPECT_EQ(pieces.count(Intersection_kind::OVERLAP), problem.overlaps);
+    EXPECT_EQ(pieces.size(), problem.overlaps);
+    int inside = 0;
+    for (int k = 0; k <= 64; ++k) {
+      const FT at = ratio(k, 16), height = problem.curve(at).cartesian(problem.axis);
+      const bool is_inside = problem.lower <= height && height <= problem.upper;
+      inside += is_inside;
+      EXPECT_EQ(std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return holds(piece.parameter_range(0), at); }), is_inside) << at;
+    }
+    EXPECT_GT(inside, 10);
+  }
+  // Off the surface by little, the curve meets it in points, if at all.
+  const auto moved = villarceau.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, ratio(1, 1000), 0)));
+  EXPECT_EQ(SC::intersections(moved, torus).count(Intersection_kind::OVERLAP), 0u);
 }
 
 TEST(Surface_intersections, RaysMeetATorusInOrder)

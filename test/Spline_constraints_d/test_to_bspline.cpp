@@ -3,6 +3,7 @@
 
 #include "geometry_test_tools.h"
 
+#include <CGAL/Spline_constraints_d/geometry/circular_arcs.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
 
@@ -150,6 +151,17 @@ TEST(To_bspline_curve, converts_arcs_of_circular_kernels)
   const auto upright = SC::to_bspline_curve(C::Circular_arc_2(circle, C::Line_2(1, 0, -4), true, C::Line_2(1, 0, -4), false));
   EXPECT_EQ(CGAL::midpoint(upright.source(), upright.target()), C::Point_2(4, 2));
   EXPECT_EQ(CGAL::squared_distance(upright.source(), upright.target()), 64);
+
+  const auto back = SC::to_circular_arc(arc);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(*back == C::Circular_arc_2(circle, p, q));
+  EXPECT_TRUE(*SC::to_circular_arc(arc.reversed()) == *back);   // arcs are counterclockwise
+  const auto whole = SC::to_circular_arc(SC::to_bspline_curve(circle));
+  ASSERT_TRUE(whole);
+  EXPECT_TRUE(whole->source() == whole->target());
+  EXPECT_FALSE(SC::to_circular_arc(arc.elevated(3)));
+  EXPECT_FALSE(SC::to_circular_arc(SC::bezier_curve<C>(std::vector<C::Point_2>{{0, 0}, {1, 0}, {1, 1}})));
+  EXPECT_FALSE(SC::to_circular_arc(SC::segment_curve<C>(C::Point_2(0, 0), C::Point_2(1, 1))));
 }
 
 TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
@@ -187,6 +199,20 @@ TEST(To_bspline_curve, converts_circles_and_arcs_in_space)
   EXPECT_EQ(arc.source(), S::Point_3(4, 2, 3));
   EXPECT_EQ(arc.target(), S::Point_3(1, 5, 3));
   EXPECT_EQ(arc.domain().second, 1);
+
+  const S::Circle_3 tilted(S::Point_3(1, 2, 3), 6, S::Vector_3(-1, -1, -1));
+  const S::Circular_arc_point_3 begin(S::Point_3(2, 3, 1)), middle(S::Point_3(3, 1, 2));
+  for (const auto& original : {S::Circular_arc_3(circle, S::Circular_arc_point_3(S::Point_3(4, 2, 3)), S::Circular_arc_point_3(S::Point_3(1, 5, 3))),
+                               S::Circular_arc_3(tilted, begin, middle), S::Circular_arc_3(tilted, middle, begin), S::Circular_arc_3(tilted, begin)}) {
+    const auto curve = SC::to_bspline_curve(original);
+    for (const auto& one : {curve, curve.reversed()}) {
+      const auto back = SC::to_circular_arc(one);
+      ASSERT_TRUE(back);
+      EXPECT_TRUE(back->source() == original.source() && back->target() == original.target());
+      EXPECT_TRUE(*back == original);
+    }
+  }
+  EXPECT_FALSE(SC::to_circular_arc(SC::segment_curve<S>(S::Point_3(0, 0, 0), S::Point_3(1, 1, 1))));
 }
 
 TEST(To_bspline_curve, converts_polygons_with_holes)

@@ -6,13 +6,17 @@
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/conic_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/conic_parts.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/core_numbers.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <concepts>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -38,30 +42,12 @@ concept Conic_traits_x_monotone_arc = !Conic_traits_arc<Arc> && requires(const A
   { arc.orientation() } -> std::convertible_to<CGAL::Orientation>;
 };
 
-// r x^2 + s y^2 + t x y + u x + v y + w = 0, in the letters of CGAL.
-struct Conic_equation
+template <class Arc>
+Conic_equation conic_equation(const Arc& arc)
 {
-  Exact_rational r, s, t, u, v, w;
-
-  template <class Arc>
-  explicit Conic_equation(const Arc& arc)
-    : r(number(arc.r())), s(number(arc.s())), t(number(arc.t())), u(number(arc.u())), v(number(arc.v())), w(number(arc.w()))
-  {}
-
-  template <class Integer>
-  static Exact_rational number(const Integer& x) { return converted_number<Exact_rational>(CORE::BigRat(x)); }
-
-  Exact_rational operator()(const Exact_kernel::Point_2& p) const
-  {
-    return Exact_rational((r * p.x() + t * p.y() + u) * p.x() + (s * p.y() + v) * p.y() + w);
-  }
-
-  // With a point of the conic as the origin.
-  Conic_through_origin around(const Exact_kernel::Point_2& p) const
-  {
-    return {r, t, s, Exact_rational(2 * r * p.x() + t * p.y() + u), Exact_rational(2 * s * p.y() + t * p.x() + v)};
-  }
-};
+  const auto number = [](const auto& x) { return converted_number<Exact_rational>(CORE::BigRat(x)); };
+  return {number(arc.r()), number(arc.s()), number(arc.t()), number(arc.u()), number(arc.v()), number(arc.w())};
+}
 
 // A rational point of an ellipse.
 inline Exact_kernel::Point_2 point_of_ellipse(const Conic_equation& conic)
@@ -113,7 +99,39 @@ template <class Arc>
 Bspline_curve_2<Exact_kernel> curve_between_ends(const Arc& arc)
 {
   const auto source = rational_end(arc.source()), target = rational_end(arc.target());
-  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target) : arc_of_conic(Conic_equation(arc), source, target, arc.orientation());
+  return arc.orientation() == CGAL::COLLINEAR ? segment_curve(source, target) : arc_of_conic(conic_equation(arc), source, target, arc.orientation());
+}
+
+// Since CGAL 6 curves are made by a function object of the traits class.
+template <class Traits, class... Arguments>
+typename Traits::Curve_2 make_conic_traits_curve(const Arguments&... arguments)
+{
+  if constexpr (requires(const Traits& traits) { traits.construct_curve_2_object()(arguments...); })
+    return Traits().construct_curve_2_object()(arguments...);
+  else
+    return typename Traits::Curve_2(arguments...);
+}
+
+template <class Traits>
+typename Traits::Curve_2 conic_traits_curve(const Conic_part& part)
+{
+  using Rat_kernel = typename Traits::Rat_kernel;
+  using Rational = typename Rat_kernel::FT;
+  const auto number = [](const Exact_rational& x) { return converted_number<Rational>(x); };
+  const auto point = [&](const Exact_kernel::Point_2& p) { return typename Rat_kernel::Point_2(number(p.x()), number(p.y())); };
+  const auto end = [&](const Exact_kernel::Point_2& p) {
+    using Number = typename Traits::Alg_kernel::FT;
+    return typename Traits::Point_2(Number(number(p.x())), Number(number(p.y())));
+  };
+  if (part.orientation == CGAL::COLLINEAR)
+    return make_conic_traits_curve<Traits>(typename Rat_kernel::Segment_2(point(part.source), point(part.target)));
+  const auto on = [&](const Conic_equation& q, const auto&... rest) {
+    return make_conic_traits_curve<Traits>(number(q.r), number(q.s), number(q.t), number(q.u), number(q.v), number(q.w), rest...);
+  };
+  if (!part.is_whole())
+    return on(part.conic, part.orientation, end(part.source), end(part.target));
+  const auto ellipse = on(part.conic);
+  return ellipse.orientation() == part.orientation ? ellipse : on(part.conic.opposite());   // the orientation is that of the side where the equation is positive
 }
 
 } // namespace internal
@@ -135,7 +153,7 @@ Bspline_curve_2<typename Arc::Rat_kernel> to_bspline_curve(const Arc& arc)
   if (!arc.is_valid())
     throw Invalid_input("to_bspline_curve: the conic arc is not valid");
   if (arc.is_full_conic()) {
-    const internal::Conic_equation conic(arc);
+    const internal::Conic_equation conic = internal::conic_equation(arc);
     const auto ellipse = internal::ellipse_from(conic, internal::point_of_ellipse(conic));
     return Curve(internal::orientation_of_ellipse(ellipse) == arc.orientation() ? ellipse : ellipse.reversed());
   }
@@ -147,6 +165,30 @@ template <internal::Conic_traits_x_monotone_arc Arc>
 Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel> to_bspline_curve(const Arc& arc)
 {
   return Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel>(internal::curve_between_ends(arc));
+}
+
+/*!
+the arcs of conics and the segments that a curve consists of, as curves of `CGAL::Arr_conic_traits_2` with exact coefficients and ends, in the order and sense of the curve. Pieces that
+follow each other on one conic in the same sense are one curve, up to a whole ellipse. Nothing if the degree is higher than two; if a piece is a point; and if it runs back on a line.
+Decided exactly in every kernel.
+
+CGAL 5.5 computes the line between the branches of a hyperbola wrongly unless the axes of the hyperbola are at multiples of 45 degrees, and so takes some arcs for invalid and some points for
+points of the other branch.
+\tparam Traits the traits class.
+\throws Invalid_input when the traits class takes an arc for invalid.
+*/
+template <class Traits, ParametricCurve_2 Curve>
+  requires internal::Conic_traits_arc<typename Traits::Curve_2>
+std::optional<std::vector<typename Traits::Curve_2>> to_conic_traits_curves(const Curve& curve)
+{
+  const auto parts = internal::conic_parts(internal::exact_curve<2>(curve));
+  if (!parts)
+    return std::nullopt;
+  std::vector<typename Traits::Curve_2> result;
+  for (const internal::Conic_part& part : *parts)
+    if (result.push_back(internal::conic_traits_curve<Traits>(part)); !result.back().is_valid())
+      throw Invalid_input("to_conic_traits_curves: the traits class takes an arc of a hyperbola for invalid");
+  return result;
 }
 
 /// @}

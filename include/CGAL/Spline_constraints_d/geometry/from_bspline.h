@@ -86,6 +86,14 @@ std::optional<Segment> segment_of(const std::optional<Points>& points)
   return Segment((*points)[0], (*points)[1]);
 }
 
+template <class Triangle, class Points>
+std::optional<Triangle> triangle_of(const std::optional<Points>& points)
+{
+  if (!points || points->size() != 4 || points->front() != points->back())
+    return std::nullopt;
+  return Triangle((*points)[0], (*points)[1], (*points)[2]);
+}
+
 // Whether a point is no combination of those before it: not the same, on a line or in a plane with them.
 template <class Point>
 bool is_independent(const std::vector<Point>& before, const Point& p)
@@ -129,6 +137,21 @@ std::vector<typename Map::Point> independent_points(const Map& map, std::size_t 
       for (const Exact_rational& v : deciding_parameters(map, 1))
         add(map(u, v));
   return result;
+}
+
+// The line from the source of a curve to its target, if all its points are on one. Of a closed curve, through two of its points.
+template <class Line, int d, class Curve>
+std::optional<Line> line_of(const Curve& curve)
+{
+  using Kernel = typename Curve::Kernel;
+  const auto exact = exact_curve<d>(curve);
+  auto points = independent_points(exact, 3);
+  if (points.size() != 2)
+    return std::nullopt;
+  if (exact.source() != exact.target())
+    points = {exact.source(), exact.target()};
+  const auto p = point_without_rounding<Kernel, d>(points[0]), q = point_without_rounding<Kernel, d>(points[1]);
+  return p && q ? std::optional(Line(*p, *q)) : std::nullopt;
 }
 
 inline bool is_zero(const Scalar_function& f)
@@ -206,6 +229,56 @@ std::optional<CGAL::Polygon_2<typename Curve::Kernel>> to_polygon(const Curve& c
   if (!points || points->front() != points->back())
     return std::nullopt;
   return CGAL::Polygon_2<typename Curve::Kernel>(points->begin(), points->end() - 1);
+}
+
+//! the triangle whose boundary the curve is, if it is a closed polygonal curve with three vertices; see `to_polyline()`.
+template <ParametricCurve_2 Curve>
+std::optional<typename Curve::Kernel::Triangle_2> to_triangle(const Curve& curve)
+{
+  return internal::triangle_of<typename Curve::Kernel::Triangle_2>(to_polyline(curve));
+}
+
+//! the same in space.
+template <ParametricCurve_3 Curve>
+std::optional<typename Curve::Kernel::Triangle_3> to_triangle(const Curve& curve)
+{
+  return internal::triangle_of<typename Curve::Kernel::Triangle_3>(to_polyline(curve));
+}
+
+//! the rectangle whose boundary the curve is, if it is a closed polygonal curve with four vertices at the corners of a rectangle with sides parallel to the axes, whichever is first and in
+//! either sense; see `to_polyline()`.
+template <ParametricCurve_2 Curve>
+std::optional<typename Curve::Kernel::Iso_rectangle_2> to_iso_rectangle(const Curve& curve)
+{
+  const auto points = to_polyline(curve);
+  if (!points || points->size() != 5 || points->front() != points->back())
+    return std::nullopt;
+  const typename Curve::Kernel::Iso_rectangle_2 rectangle((*points)[0], (*points)[2]);
+  const auto has_corner = [&](const auto& p) {
+    return (p.x() == rectangle.xmin() || p.x() == rectangle.xmax()) && (p.y() == rectangle.ymin() || p.y() == rectangle.ymax());
+  };
+  const auto &p = (*points)[0], &q = (*points)[1], &r = (*points)[2], &s = (*points)[3];
+  if (rectangle.is_degenerate() || q == p || q == r || s == q || !has_corner(q) || !has_corner(s) || s == p || s == r)
+    return std::nullopt;
+  return rectangle;
+}
+
+/*!
+the line that the curve is on, if there is one, whatever its degree, knots and weights are: from its source to its target, if these are two points. So a bounded part of a line or a ray
+gives its line back, and where the part begins and ends; see also `to_segment()`. Nothing if there is no such line, or its two points have no coordinates in the kernel (in doubles).
+Decided exactly in every kernel.
+*/
+template <ParametricCurve_2 Curve>
+std::optional<typename Curve::Kernel::Line_2> to_line(const Curve& curve)
+{
+  return internal::line_of<typename Curve::Kernel::Line_2, 2>(curve);
+}
+
+//! the same in space.
+template <ParametricCurve_3 Curve>
+std::optional<typename Curve::Kernel::Line_3> to_line(const Curve& curve)
+{
+  return internal::line_of<typename Curve::Kernel::Line_3, 3>(curve);
 }
 
 /*!

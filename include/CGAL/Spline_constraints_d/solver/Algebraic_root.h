@@ -48,6 +48,28 @@ Coordinate_box<Coordinate> make_box(const std::vector<Coordinate>& lower, const 
   return box;
 }
 
+// Along the first row. Division would not do: intervals that hold zero are no pivots, and polynomials have no quotient.
+template <class Number>
+Number determinant_of(const std::vector<Number>& matrix, std::size_t n)
+{
+  if (n == 1)
+    return matrix[0];
+  Number sum(0);
+  for (std::size_t c = 0; c < n; ++c) {
+    std::vector<Number> minor;
+    for (std::size_t i = 1; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (j != c)
+          minor.push_back(matrix[i * n + j]);
+    const Number term = matrix[c] * determinant_of(minor, n - 1);
+    if (c % 2 == 0)
+      sum += term;
+    else
+      sum -= term;
+  }
+  return sum;
+}
+
 /*
 n equations in n unknowns: polynomials; or the first n - 1 of n polynomials and the determinant of the Jacobian of all of them, which is zero at their multiple roots. The determinant is not
 expanded.
@@ -58,6 +80,8 @@ class Algebraic_equations
 
   std::vector<Power_polynomial> m_polynomials;
   bool m_ends_with_determinant;
+  std::vector<Exact_rational> m_origin;
+  std::vector<Power_polynomial> m_around_origin;   // in the differences to it; empty when there is none
 
 public:
   // Values, and derivatives in row-major order.
@@ -71,13 +95,25 @@ public:
     : m_polynomials(std::move(polynomials)), m_ends_with_determinant(ends_with_determinant)
   {}
 
+  // Near an origin, the ranges of polynomials of a high degree are much narrower when they are expanded around it.
+  Algebraic_equations(std::vector<Power_polynomial> polynomials, bool ends_with_determinant, std::vector<Exact_rational> origin)
+    : m_polynomials(std::move(polynomials)), m_ends_with_determinant(ends_with_determinant), m_origin(std::move(origin)), m_around_origin(m_polynomials)
+  {
+    for (Power_polynomial& f : m_around_origin)
+      for (std::size_t j = 0; j < m_origin.size(); ++j)
+        f = f.substituted(static_cast<int>(j), Power_polynomial::variable(static_cast<int>(j)) + Power_polynomial(m_origin[j]));
+  }
+
   std::size_t dimension() const { return m_polynomials.size(); }
   const std::vector<Power_polynomial>& polynomials() const { return m_polynomials; }
 
   Values operator()(const std::vector<Number>& box) const
   {
     const std::size_t n = dimension();
-    const Polynomial_jets jets(m_polynomials, box, m_ends_with_determinant ? 2 : 1);
+    std::vector<Number> place = box;
+    for (std::size_t j = 0; j < m_origin.size(); ++j)
+      place[j] -= Number(m_origin[j]);
+    const Polynomial_jets jets(m_origin.empty() ? m_polynomials : m_around_origin, place, m_ends_with_determinant ? 2 : 1);
     Values result;
     for (std::size_t i = 0; i < n; ++i) {
       result.values.push_back(jets.value(i));
@@ -86,14 +122,14 @@ public:
     }
     if (m_ends_with_determinant) {
       const std::vector<Number> jacobian = result.jacobian;
-      result.values.back() = determinant(jacobian, n);
+      result.values.back() = determinant_of(jacobian, n);
       for (std::size_t k = 0; k < n; ++k) {
         Number derivative(0);
         for (std::size_t i = 0; i < n; ++i) {   // by the product rule, row by row
           std::vector<Number> matrix = jacobian;
           for (std::size_t j = 0; j < n; ++j)
             matrix[i * n + j] = jets.hessian(i, j, k);
-          derivative += determinant(matrix, n);
+          derivative += determinant_of(matrix, n);
         }
         result.jacobian[(n - 1) * n + k] = derivative;
       }
@@ -115,27 +151,6 @@ public:
       determinant.bits += std::log2(static_cast<double>(i + 1));             // of n! products
     }
     return m_ends_with_determinant ? larger(result, determinant) : result;
-  }
-
-  // Along the first row. Division would not do: intervals that hold zero are no pivots.
-  static Number determinant(const std::vector<Number>& matrix, std::size_t n)
-  {
-    if (n == 1)
-      return matrix[0];
-    Number sum(0);
-    for (std::size_t c = 0; c < n; ++c) {
-      std::vector<Number> minor;
-      for (std::size_t i = 1; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-          if (j != c)
-            minor.push_back(matrix[i * n + j]);
-      const Number term = matrix[c] * determinant(minor, n - 1);
-      if (c % 2 == 0)
-        sum += term;
-      else
-        sum -= term;
-    }
-    return sum;
   }
 };
 
@@ -176,7 +191,7 @@ public:
     for (std::size_t j = 0; j < box.size(); ++j)
       if (image->box[j].lower() <= box[j].first || box[j].second <= image->box[j].upper())
         return std::nullopt;
-    const auto orientation = Algebraic_equations::determinant(root.m_equations(root.m_box).jacobian, box.size()).sign();
+    const auto orientation = determinant_of(root.m_equations(root.m_box).jacobian, box.size()).sign();
     if (!orientation.is_certain())
       return std::nullopt;
     root.m_orientation = orientation.make_certain();

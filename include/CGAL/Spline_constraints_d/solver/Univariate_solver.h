@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Univariate_cell.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Univariate_walk.h>
+#include <CGAL/Spline_constraints_d/solver/multiplicity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,8 @@ private:
       answer.multiplicity = has_right ? m_found[i].lower_multiplicity : m_found[i - 1].upper_multiplicity;
     else if (is_monotonic_around(x, m_cells[i - 1], m_cells[i]))
       answer.multiplicity = 1;
+    else if (const int left = m_found[i - 1].upper_multiplicity; left > 1 && left == m_found[i].lower_multiplicity)
+      answer.multiplicity = local_structure(m_system, {x}).multiplicity;   // unless a derivative that matters jumps
     if (answer.multiplicity == 1)
       answer.kind = Solution_kind::CERTIFIED;
     m_answers.push_back(std::move(answer));

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,37 +38,59 @@ namespace internal {
 
 using Taylor_terms = std::map<std::vector<int>, Exact_rational>;
 
-// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces.
+// The pieces of a term that meet in a point, by their number.
+inline std::vector<std::size_t> cells_at(const Spline_term& term, const std::vector<Exact_rational>& point)
+{
+  std::vector<std::size_t> result{0};
+  for (std::size_t j = 0; j < term.variables.size(); ++j) {
+    const auto& breaks = term.breaks[j];
+    const Exact_rational& x = point[term.variables[j]];
+    std::size_t own = 0;
+    while (own + 1 < term.cells(j) && breaks[own + 1] < x)
+      ++own;
+    const bool is_on_break = own + 1 < term.cells(j) && breaks[own + 1] == x;
+    std::vector<std::size_t> next;
+    for (const std::size_t cell : result)
+      for (std::size_t side = 0; side <= (is_on_break ? 1 : 0); ++side)
+        next.push_back(cell * term.cells(j) + own + side);
+    result = std::move(next);
+  }
+  return result;
+}
+
+inline void add_taylor_terms(const Spline_term& term, std::size_t cell, const std::vector<Exact_rational>& point, int order, Taylor_terms& result)
+{
+  std::vector<Exact_rational> coefficients = term.pieces[cell];
+  for (std::size_t j = 0; j < term.variables.size(); ++j)
+    substitute_affine(coefficients, term.degrees, j, point[term.variables[j]], Exact_rational(1));
+  std::vector<int> k(term.variables.size(), 0);
+  for (const Exact_rational& coefficient : coefficients) {
+    if (coefficient != Exact_rational(0) && std::accumulate(k.begin(), k.end(), 0) <= order) {
+      std::vector<int> exponents(point.size(), 0);
+      for (std::size_t j = 0; j < k.size(); ++j)
+        exponents[term.variables[j]] = k[j];
+      result[exponents] += coefficient;
+    }
+    for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
+      k[j] = 0;
+  }
+}
+
+// The Taylor coefficients of a spline at a point, up to an order; false when the point lies on a break between pieces where they jump.
 inline bool taylor_expansion(const Spline_function& function, const std::vector<Exact_rational>& point, int order,
                              Taylor_terms& result)
 {
-  const std::size_t dimension = point.size();
   for (const Spline_term& term : function.terms()) {
-    std::size_t cell = 0;
-    for (std::size_t j = 0; j < term.variables.size(); ++j) {
-      const auto& breaks = term.breaks[j];
-      const Exact_rational& x = point[term.variables[j]];
-      if (term.cells(j) > 1 && std::find(breaks.begin() + 1, breaks.end() - 1, x) != breaks.end() - 1)
+    std::optional<Taylor_terms> of_term;
+    for (const std::size_t cell : cells_at(term, point)) {
+      Taylor_terms own;
+      add_taylor_terms(term, cell, point, order, own);
+      if (of_term && *of_term != own)
         return false;
-      std::size_t own = 0;
-      while (own + 1 < term.cells(j) && breaks[own + 1] < x)
-        ++own;
-      cell = cell * term.cells(j) + own;
+      of_term = std::move(own);
     }
-    std::vector<Exact_rational> coefficients = term.pieces[cell];
-    for (std::size_t j = 0; j < term.variables.size(); ++j)
-      substitute_affine(coefficients, term.degrees, j, point[term.variables[j]], Exact_rational(1));
-    std::vector<int> k(term.variables.size(), 0);
-    for (const Exact_rational& coefficient : coefficients) {
-      if (coefficient != Exact_rational(0) && std::accumulate(k.begin(), k.end(), 0) <= order) {
-        std::vector<int> exponents(dimension, 0);
-        for (std::size_t j = 0; j < k.size(); ++j)
-          exponents[term.variables[j]] = k[j];
-        result[exponents] += coefficient;
-      }
-      for (std::size_t j = k.size(); j-- > 0 && ++k[j] > term.degrees[j];)
-        k[j] = 0;
-    }
+    for (const auto& [exponents, coefficient] : *of_term)
+      result[exponents] += coefficient;
   }
   return true;
 }
@@ -151,7 +174,7 @@ public:
   }
 };
 
-// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break between pieces.
+// Rows of the Macaulay matrix of some order at a point, with integer entries; false when the point lies on a break between pieces where derivatives up to this order jump.
 inline bool macaulay_matrix(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order,
                             const std::vector<std::vector<int>>& exponents, std::vector<std::vector<Big_integer>>& rows)
 {
@@ -226,7 +249,7 @@ Whether a rational solution of the equalities is isolated, and its multiplicity,
 The nullity of the Macaulay matrix of order \f$\alpha\f$ (all \f$x^\beta f_i\f$, truncated at total degree \f$\alpha\f$ around the point) grows with \f$\alpha\f$ until it reaches the
 multiplicity and stays there exactly when the point is isolated, over any field (Dayton, Zeng 2005). Ranks modulo a prime bound the true ones from below: nullities that
 stay constant modulo a prime prove isolation, and so many primes that Hadamard's bound is passed prove the multiplicity. Orders up to 500 columns are
-tried; a point on a break between pieces of a spline is not decided. On the first and the last break of an axis, the outermost pieces count as continued.
+tried. A point on a break between pieces of a spline is decided if the derivatives up to the order that is needed do not jump there: what is proved is then true on all sides. On the first and the last break of an axis, the outermost pieces count as continued.
 */
 inline Local_structure local_structure(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
 {

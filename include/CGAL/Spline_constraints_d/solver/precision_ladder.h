@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/cell_boxes.h>
 #include <CGAL/Spline_constraints_d/solver/clusters.h>
-#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_multiple_root.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <algorithm>
@@ -44,9 +44,12 @@ class Precision_ladder
   Run_control& m_control;
   Summary& m_summary;
   std::size_t m_node_limit;
-  std::vector<Double_root_search> m_double_roots;
+  std::vector<Multiple_root_search> m_multiple_roots;
   // Bounds what is spent on what no precision decides.
   static constexpr std::size_t m_budget = 5000;
+  // Boxes where no multiple root was found: after so many, only double roots are looked for.
+  std::size_t m_failures = 0;
+  static constexpr std::size_t m_most_failures = 8;
 
 public:
   Precision_ladder(const Constraint_system_d& system, const System_layout& layout, Exact_source& source, const Found_roots<double>& known,
@@ -63,15 +66,16 @@ public:
   void report(const Open_box<double>& box, const Solution_d<double>& answer, std::vector<Solution_d<double>>& solutions)
   {
     const Exact_box ranges = exact_box(box);
-    if (std::any_of(m_double_roots.begin(), m_double_roots.end(), [&](const Double_root_search& known) { return known.covers(ranges); }))
+    if (std::any_of(m_multiple_roots.begin(), m_multiple_roots.end(), [&](const Multiple_root_search& known) { return known.covers(ranges); }))
       return;
     const bool is_regular = answer.kind() == Solution_kind::CLUSTER && answer.multiplicity() < 2 && holds_regular_solution(box);
     const bool is_open = answer.reason() == Undecided_reason::TOLERANCE;
     bool may_climb = is_regular || is_open;
     if (is_open && m_options.ladder_precision > 0) {
-      Double_root_search search = search_double_root(m_system, ranges, [&] { return m_control.must_stop(true); });
-      if (report_double_root(search, solutions))
+      Multiple_root_search search = search_multiple_root(m_system, ranges, m_failures < m_most_failures ? Multiple_root_search::most_multiplicity : 2, [&] { return m_control.must_stop(true); });
+      if (report_multiple_root(search, solutions))
         return;
+      m_failures += search.root ? 0 : 1;
       may_climb = !is_beyond_reach(search);
     }
     if (may_climb)
@@ -90,31 +94,31 @@ private:
   }
 
   // One sign is missing to tell a double root from two roots and from none, and more bits than the ladder has on both sides did not tell it: the distance of two roots is about the root of that value.
-  bool is_beyond_reach(const Double_root_search& search) const
+  bool is_beyond_reach(const Multiple_root_search& search) const
   {
-    return search.outcome == Double_root_search::NOTHING_PROVED && search.root && search.root->bits_of_width() >= 2 * m_options.ladder_precision;
+    return search.outcome == Multiple_root_search::NOTHING_PROVED && search.root && search.root->bits_of_width() >= 2 * m_options.ladder_precision;
   }
 
-  // Whether the box is decided: it holds a double root, perhaps an irrational one, or two close to each other, or nothing.
-  bool report_double_root(Double_root_search& search, std::vector<Solution_d<double>>& solutions)
+  // Whether the box is decided: it holds a multiple root, perhaps an irrational one, or two close to each other, or nothing.
+  bool report_multiple_root(Multiple_root_search& search, std::vector<Solution_d<double>>& solutions)
   {
     std::vector<Algebraic_root> roots;
-    if (search.outcome == Double_root_search::DOUBLE_ROOT)
+    if (search.outcome == Multiple_root_search::MULTIPLE_ROOT)
       roots.push_back(*search.root);
-    else if (search.outcome == Double_root_search::CLOSE_ROOTS)
+    else if (search.outcome == Multiple_root_search::CLOSE_ROOTS)
       roots = close_roots(m_system, search);
     std::vector<Position> positions;
     for (Algebraic_root& root : roots)
       positions.push_back(algebraic_position(m_system, root));
     const auto is_decided = [](Position position) { return position == Position::INSIDE || position == Position::OUTSIDE; };
-    if ((roots.empty() && search.outcome != Double_root_search::NO_ROOT) || !std::all_of(positions.begin(), positions.end(), is_decided))
+    if ((roots.empty() && search.outcome != Multiple_root_search::NO_ROOT) || !std::all_of(positions.begin(), positions.end(), is_decided))
       return false;   // more precision may tell
-    const bool is_double = roots.size() == 1;
+    const int multiplicity = search.outcome == Multiple_root_search::MULTIPLE_ROOT ? search.multiplicity : 1;
     const auto is_in_region = [&](const Solution_d<double>& known) { return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box()); };
     for (std::size_t i = 0; i < roots.size(); ++i)
-      if (positions[i] == Position::INSIDE && (is_double ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(roots[i])))
-        report(roots[i], is_double, solutions);
-    m_double_roots.push_back(std::move(search));
+      if (positions[i] == Position::INSIDE && (multiplicity > 1 ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(roots[i])))
+        report(roots[i], multiplicity, solutions);
+    m_multiple_roots.push_back(std::move(search));
     return true;
   }
 
@@ -123,12 +127,13 @@ private:
     return is_known({root.box(), root.region(), Position::INSIDE});
   }
 
-  void report(Algebraic_root& root, bool is_double, std::vector<Solution_d<double>>& solutions)
+  void report(Algebraic_root& root, int multiplicity, std::vector<Solution_d<double>>& solutions)
   {
     const int bits = root.bits_of_width() < Algebraic_root::bits_of_point ? static_cast<int>((std::max)(root.bits_of_width(), 128L)) : 128;
     root.refine(bits);
-    const Solution_kind kind = is_double ? Solution_kind::CLUSTER : Solution_kind::CERTIFIED;
-    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_double ? Exact_box() : root.region(), Number_traits<Number>::name, Undecided_reason::NONE, is_double ? 2 : 1), bits);
+    const bool is_regular = multiplicity == 1;
+    const Solution_kind kind = is_regular ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER;
+    solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_regular ? root.region() : Exact_box(), Number_traits<Number>::name, Undecided_reason::NONE, multiplicity), bits);
   }
 
   // The solution that is known in a cluster is regular: it is the only one in a much smaller box around it.

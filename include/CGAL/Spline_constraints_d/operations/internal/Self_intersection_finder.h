@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/internal/arc_directions.h>
 #include <CGAL/Spline_constraints_d/operations/internal/meeting_boxes.h>
-#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_multiple_root.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
-#include <CGAL/Spline_constraints_d/operations/internal/curves_on_spheres.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_on_implicit_surfaces.h>
 
 #include <algorithm>
 #include <array>
@@ -263,7 +263,7 @@ std::vector<Common_point> common_points(const Patch_pair<d>& pair, Summing_solve
         return points;
       if (auto others = common_points_of_curve_along_surface(pair, points, solve))
         return std::move(*others);
-      if (auto others = Curve_on_sphere(pair, solve)())
+      if (auto others = Curve_on_implicit_surface(pair, solve)())
         return std::move(*others);
       if (!limited.has_reached_node_limit() || solve.has_reached_node_limit())
         return points;

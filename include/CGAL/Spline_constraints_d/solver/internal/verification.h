@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/internal/krawczyk_operator.h>
-#include <CGAL/Spline_constraints_d/solver/irrational_double_root.h>
+#include <CGAL/Spline_constraints_d/solver/irrational_multiple_root.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,11 +272,11 @@ inline bool holds_algebraic_solution(const Constraint_system_d& system, const Bo
          std::all_of(others, ordered.end(), [&](const Power_polynomial& other) { return root->sign_of(other) == CGAL::ZERO; });
 }
 
-// Proves that the box holds a double root.
-inline bool holds_double_root(const Constraint_system_d& system, const Box& box)
+// Proves that the box holds a multiple root.
+inline bool holds_multiple_root(const Constraint_system_d& system, const Box& box)
 {
-  Double_root_search search = search_double_root(system, surrounding(box));
-  return search.outcome == Double_root_search::DOUBLE_ROOT && search.root->refine(2 * search.root->bits_of_width()) && is_admissible_root(system, *search.root, box);
+  Multiple_root_search search = search_multiple_root(system, surrounding(box), Multiple_root_search::most_multiplicity);
+  return search.outcome == Multiple_root_search::MULTIPLE_ROOT && search.root->refine(2 * search.root->bits_of_width()) && is_admissible_root(system, *search.root, box);
 }
 
 // The only solution that the box `image` can hold, and which it does hold when there are as many equalities as unknowns, lies in `box` and is admissible.
@@ -334,7 +334,7 @@ inline bool has_solution(const Constraint_system_d& system, const Box& box)
   const Box point = simplest_point(inside);
   if (satisfies_equalities(system, point))
     return is_admissible(system, point);
-  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); }) || holds_double_root(system, inside);
+  return has_partly_exact_solution(system, inside, 1, [&](const Box& b) { return is_inside(b, box) && is_admissible(system, b); }) || holds_multiple_root(system, inside);
 }
 
 } // namespace verification

@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_SPHERES_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_SPHERES_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_IMPLICIT_SURFACES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_IMPLICIT_SURFACES_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Tangent_planes.h>
+#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/multiplicity.h>
 
 #include <algorithm>
 #include <array>
@@ -21,76 +23,150 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline Exact_rational determinant_of(const std::array<std::array<Exact_rational, 3>, 3>& rows)
+/*
+The polynomial F of least degree, up to four, that is zero at all points of a surface, if there is one up to a factor: linear algebra in its coefficients finds it from points of the surface, and it is proved
+exactly. So planes, quadrics and tori are found. It is homogeneous in the numerators and the weight.
+*/
+class Implicit_form
 {
-  const auto& [a, b, c] = rows;
-  return Exact_rational(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]));
-}
+  static constexpr int m_most_degree = 4;
 
-// A sphere that holds all points of a patch, decided exactly.
-class Exact_sphere
-{
-  using Point = std::array<Exact_rational, 3>;
+  int m_degree;
+  std::vector<std::array<int, 4>> m_exponents;
+  std::vector<Exact_rational> m_coefficients;
 
-  Point m_center;
-  Exact_rational m_squared_radius;
-
-  Exact_sphere(Point center, Exact_rational squared_radius) : m_center(std::move(center)), m_squared_radius(std::move(squared_radius)) {}
+  explicit Implicit_form(int degree) : m_degree(degree)
+  {
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; i + j <= degree; ++j)
+        for (int k = 0; i + j + k <= degree; ++k)
+          m_exponents.push_back({i, j, k, degree - i - j - k});
+  }
 
 public:
-  // Of a surface.
-  static std::optional<Exact_sphere> around(const Spline_patch<3>& surface)
+  static std::optional<Implicit_form> of(const Spline_patch<3>& surface)
   {
-    std::vector<Point> points;
-    for (const auto& [i, j] : {std::pair(1, 2), std::pair(4, 1), std::pair(2, 4), std::pair(3, 3)}) {
-      const auto at = [&](int axis, int k) { return Exact_rational(surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * k / 5); };
-      points.push_back(surface(std::array{at(0, i), at(1, j)}));
+    for (int degree = 1; degree <= m_most_degree; ++degree) {
+      Implicit_form form(degree);
+      if (form.find_coefficients(surface))
+        return form.holds(surface) ? std::optional(form) : std::nullopt;
     }
-    std::array<Point, 3> rows;   // <2 (p_k - p_0), center> = |p_k|^2 - |p_0|^2
-    Point right;
-    const Point origin{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 3; ++i)
-        rows[k][i] = Exact_rational(2 * (points[k + 1][i] - points[0][i]));
-      right[k] = Exact_rational(squared_distance_of<3>(points[k + 1], origin) - squared_distance_of<3>(points[0], origin));
-    }
-    const Exact_rational determinant = determinant_of(rows);
-    if (determinant == 0)
-      return std::nullopt;
-    Point center;
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::array<Point, 3> replaced = rows;
-      for (std::size_t k = 0; k < 3; ++k)
-        replaced[k][i] = right[k];
-      center[i] = Exact_rational(determinant_of(replaced) / determinant);
-    }
-    const Exact_sphere result(center, squared_distance_of<3>(points[0], center));
-    return result.holds(surface) ? std::optional(result) : std::nullopt;
+    return std::nullopt;
   }
 
   bool holds(const Spline_patch<3>& patch) const
   {
-    if (squared_distance_of<3>(patch(patch.middle()), m_center) != m_squared_radius)   // most patches end here
+    const std::vector<Exact_rational> monomials = monomials_at(patch(patch.middle()));
+    Exact_rational value(0);   // most patches end here
+    for (std::size_t i = 0; i < monomials.size(); ++i)
+      value += m_coefficients[i] * monomials[i];
+    if (value != 0)
       return false;
-    const Vector_of_functions<3> offset = from_center(patch);
-    return offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2] == patch.weight() * patch.weight() * m_squared_radius;
+    const Exact_function f = derivative(powers_in(patch), 4);
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& c) { return c == 0; });
   }
 
-  // Points of a patch minus the center, times the weight.
-  Vector_of_functions<3> from_center(const Spline_patch<3>& patch) const
+  // The gradient of F along a patch, times a power of the weight.
+  Vector_of_functions<3> gradient(const Spline_patch<3>& patch) const
   {
-    Vector_of_functions<3> result = patch.numerators();
-    for (int i = 0; i < 3; ++i)
-      result[i] = result[i] - patch.weight() * m_center[i];
+    const auto powers = powers_in(patch);
+    return {derivative(powers, 0), derivative(powers, 1), derivative(powers, 2)};
+  }
+
+private:
+  using Powers = std::array<std::vector<Exact_function>, 4>;   // of the numerators and the weight
+
+  std::vector<Exact_rational> monomials_at(const std::array<Exact_rational, 3>& point) const
+  {
+    std::vector<Exact_rational> result;
+    for (const std::array<int, 4>& e : m_exponents) {
+      Exact_rational product(1);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (int k = 0; k < e[i]; ++k)
+          product *= point[i];
+      result.push_back(std::move(product));
+    }
     return result;
+  }
+
+  // Such that F is zero at points of the surface; false if there is no such F, by ranks modulo a prime, or more than one. A conic on the surface is on F if 2 degree + 1 of its points are.
+  bool find_coefficients(const Spline_patch<3>& surface)
+  {
+    const std::size_t n = m_exponents.size();
+    std::vector<std::vector<Big_integer>> independent;
+    std::vector<Exact_rational> rows;
+    for (int i = 0; i <= 2 * m_degree; ++i)
+      for (int j = 0; j <= 2 * m_degree; ++j) {
+        const auto at = [&](int axis, int k) { return Exact_rational(surface.domain(axis).first + (surface.domain(axis).second - surface.domain(axis).first) * (2 * k + 1) / 32); };
+        const std::vector<Exact_rational> monomials = monomials_at(surface(std::array{at(0, i), at(1, j)}));
+        Big_integer denominator(1);
+        for (const Exact_rational& m : monomials)
+          extend_common_denominator(denominator, m);
+        auto& row = independent.emplace_back();
+        for (const Exact_rational& m : monomials)
+          row.push_back(numerator_over(m, denominator));
+        if (rank_modulo(independent, Prime_sequence().next()) < independent.size())
+          independent.pop_back();
+        else if (independent.size() == n)
+          return false;
+        else
+          rows.insert(rows.end(), monomials.begin(), monomials.end());
+      }
+    return independent.size() + 1 == n && set_null_vector(std::move(rows));
+  }
+
+  bool set_null_vector(std::vector<Exact_rational> rows)
+  {
+    const std::size_t n = m_exponents.size();
+    const auto size = [](const Exact_rational& x) { return x == 0 ? 0.0 : 1.0 / static_cast<double>(bit_length(numerator_of(x)) + bit_length(denominator_of(x))); };
+    const std::vector<int> row_of = gauss_jordan(rows, n, n, n - 1, size);
+    const auto free = std::find(row_of.begin(), row_of.end(), -1);
+    if (row_of.empty() || free == row_of.end())
+      return false;
+    m_coefficients.assign(n, Exact_rational(0));
+    for (std::size_t j = 0; j < n; ++j)
+      m_coefficients[j] = row_of[j] < 0 ? Exact_rational(1) : Exact_rational(-rows[static_cast<std::size_t>(row_of[j]) * n + static_cast<std::size_t>(free - row_of.begin())]);
+    return true;
+  }
+
+  Powers powers_in(const Spline_patch<3>& patch) const
+  {
+    Powers result;
+    for (int i = 0; i < 4; ++i) {
+      const Exact_function& f = i < 3 ? patch.numerators()[i] : patch.weight();
+      result[i].push_back(f);   // instead of one, which is never used
+      for (int k = 1; k <= m_degree; ++k)
+        result[i].push_back(k == 1 ? f : result[i].back() * f);
+    }
+    return result;
+  }
+
+  // By one of the first three coordinates; by none, F itself.
+  Exact_function derivative(const Powers& powers, std::size_t axis) const
+  {
+    std::optional<Exact_function> sum;
+    for (std::size_t k = 0; k < m_exponents.size(); ++k) {
+      std::array<int, 4> e = m_exponents[k];
+      const int factor = axis < 3 ? e[axis]-- : 1;
+      if (m_coefficients[k] == 0 || factor == 0)
+        continue;
+      std::optional<Exact_function> term;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (e[i] > 0)
+          term = term ? *term * powers[i][e[i]] : powers[i][e[i]];
+      const Exact_rational coefficient(m_coefficients[k] * factor);
+      const Exact_function scaled = term ? *term * coefficient : Exact_function(powers[3][1] * Exact_rational(0) + coefficient);
+      sum = sum ? *sum + scaled : scaled;
+    }
+    return sum ? *sum : Exact_function(powers[3][1] * Exact_rational(0));
   }
 };
 
 /*
-A curve on a sphere and a surface that is a part of this sphere. Away from its edges the surface is proved to be regular, so around each of its points there it is all of the sphere. Between two common points with the edges the curve
+A curve and a surface on which a polynomial F is zero. Away from the edges of the surface its normal and the gradient of F are proved not to be zero, so around each of its points there it is all of the zeros of F. Between two common points with the edges the curve
 therefore runs within the surface, or outside of it, which is decided at one of its points.
 */
-class Curve_on_sphere
+class Curve_on_implicit_surface
 {
   // Where the curve meets an edge; or may do so in one point at most, if that is undecided.
   struct Event
@@ -111,15 +187,15 @@ class Curve_on_sphere
   Summing_solver& m_solve;
 
 public:
-  Curve_on_sphere(const Patch_pair<3>& pair, Summing_solver& solve)
+  Curve_on_implicit_surface(const Patch_pair<3>& pair, Summing_solver& solve)
     : m_pair(pair), m_curve_index(pair[0].number_of_parameters() == 1 ? 0 : 1), m_curve(pair[m_curve_index]), m_surface(pair[1 - m_curve_index]), m_solve(solve)
   {}
 
   // None if they are not of this kind, or something is not decided.
   std::optional<std::vector<Common_point>> operator()() const
   {
-    const std::optional<Exact_sphere> sphere = Exact_sphere::around(m_surface);
-    if (!sphere || !sphere->holds(m_curve) || !is_regular(*sphere))
+    const std::optional<Implicit_form> form = Implicit_form::of(m_surface);
+    if (!form || !form->holds(m_curve) || !is_regular(*form))
       return std::nullopt;
     const auto events = events_by_parameter();
     const auto stretches = events ? stretches_between(*events) : std::nullopt;
@@ -127,10 +203,11 @@ public:
   }
 
 private:
-  // Whether det(S_u, S_v, S - center) has one sign within the edges, by its Bernstein coefficients, and no tangent jumps.
-  bool is_regular(const Exact_sphere& sphere) const
+  // Whether det(S_u, S_v, grad F) has one sign within the edges, by its Bernstein coefficients, and no tangent jumps.
+  bool is_regular(const Implicit_form& form) const
   {
     int sign = 0;
+    const auto is_edge = [&](int axis, bool is_at_end) { return is_at_end && !m_surface.is_closed(axis); };
     for (const int axis : {0, 1})
       if (parts_of(m_surface, axis, perpendicular_before).size() != 1)
         return false;
@@ -138,25 +215,40 @@ private:
     for (std::size_t i = 1; i < u.size(); ++i)
       for (std::size_t j = 1; j < v.size(); ++j) {
         const Spline_patch<3> cell = m_surface.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}});
-        const Vector_of_functions<3> a = tangent_direction(cell, 0), b = tangent_direction(cell, 1), c = sphere.from_center(cell);
+        const Vector_of_functions<3> a = tangent_direction(cell, 0), b = tangent_direction(cell, 1), c = form.gradient(cell);
         const Exact_function determinant = c[0] * (a[1] * b[2] - a[2] * b[1]) + c[1] * (a[2] * b[0] - a[0] * b[2]) + c[2] * (a[0] * b[1] - a[1] * b[0]);
-        if (!has_one_sign(determinant.restricted(0, u[i - 1], u[i]).restricted(1, v[j - 1], v[j]), {i == 1, i + 1 == u.size(), j == 1, j + 1 == v.size()}, sign))
+        if (!has_one_sign(determinant.restricted(0, u[i - 1], u[i]).restricted(1, v[j - 1], v[j]), {is_edge(0, i == 1), is_edge(0, i + 1 == u.size()), is_edge(1, j == 1), is_edge(1, j + 1 == v.size())}, sign))
           return false;
       }
     return true;
   }
 
-  // Of the coefficients; zero is admitted in the layers at edges: of the first axis the first and last one, and of the second axis.
+  // No coefficient has the other sign, and on the cell, and each of its sides and corners that is not on an edge of the surface, one is not zero: there f is not zero but at the ends.
   static bool has_one_sign(const Exact_function& f, const std::array<bool, 4>& is_edge, int& sign)
   {
     const std::size_t rows = f.size(0), columns = f.size(1);
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t j = 0; j < columns; ++j) {
-        const int own = static_cast<int>(CGAL::sign(f.coefficients()[i * columns + j]));
-        const bool is_in_layer = (is_edge[0] && i == 0) || (is_edge[1] && i + 1 == rows) || (is_edge[2] && j == 0) || (is_edge[3] && j + 1 == columns);
-        if (own == 0 ? !is_in_layer : own * sign < 0)
+    for (const Exact_rational& c : f.coefficients()) {
+      const int own = static_cast<int>(CGAL::sign(c));
+      if (own * sign < 0)
+        return false;
+      sign = own == 0 ? sign : own;
+    }
+    const auto ranges = [](std::size_t size, bool begins_at_edge, bool ends_at_edge) {
+      std::vector<std::pair<std::size_t, std::size_t>> result{{0, size}};
+      if (!begins_at_edge)
+        result.emplace_back(0, 1);
+      if (!ends_at_edge)
+        result.emplace_back(size - 1, size);
+      return result;
+    };
+    for (const auto& [first_row, end_of_rows] : ranges(rows, is_edge[0], is_edge[1]))
+      for (const auto& [first_column, end_of_columns] : ranges(columns, is_edge[2], is_edge[3])) {
+        bool is_zero = true;
+        for (std::size_t i = first_row; i < end_of_rows; ++i)
+          for (std::size_t j = first_column; j < end_of_columns; ++j)
+            is_zero = is_zero && f.coefficients()[i * columns + j] == 0;
+        if (is_zero)
           return false;
-        sign = own == 0 ? sign : own;
       }
     return true;
   }
@@ -273,4 +365,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_SPHERES_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_IMPLICIT_SURFACES_H
