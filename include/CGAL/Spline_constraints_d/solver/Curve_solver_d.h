@@ -44,15 +44,17 @@ class All_curves
   std::vector<Curve_task> m_tasks;
   std::vector<std::vector<Exact_rational>> m_breaks;
   std::vector<double> m_widths;
+  const std::function<bool()> m_gives_up;
+  std::size_t m_checked = 0;   // of the vertices
+  bool m_is_asked = false, m_is_over = false;
 
 public:
-  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
-    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options)
+  // Asks gives_up() when curves seem to be singular, once.
+  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, std::function<bool()> gives_up = [] { return false; })
+    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options), m_gives_up(std::move(gives_up))
   {}
 
-  // Stops between two rounds when begins_again(undecided boxes) says so.
-  template <class Begins_again>
-  Found_curves operator()(const Begins_again& begins_again)
+  Found_curves operator()()
   {
     const Exact_ranges domain = domain_of(m_system);
     for (const auto& [lower, upper] : domain)
@@ -62,18 +64,25 @@ public:
       const Vertex_indices vertices = vertices_on_boundary(domain);
       split_cells(domain, cells, vertices);
     }
-    run_tasks(begins_again);
+    run_tasks();
     Vertex_indices points = isolated_points();
     m_summary.nodes += m_vertices.work().nodes;
     return {std::move(m_vertices), std::move(m_pieces), std::move(m_undecided), std::move(points), m_summary};
   }
 
-  Found_curves operator()()
+private:
+  // Whether to stop. A box is left at the tolerance, or a curve does not cross a plane at an angle: that may happen along all of it.
+  bool is_over()
   {
-    return (*this)([](const std::vector<Undecided_box>&) { return false; });
+    if (m_is_asked)
+      return m_is_over;
+    m_is_asked = std::any_of(m_undecided.begin(), m_undecided.end(), [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; });
+    for (; m_checked < m_vertices.size() && !m_is_asked; ++m_checked)
+      m_is_asked = m_vertices[m_checked].kind != Plane_point::REGULAR && !m_vertices[m_checked].is_singular;
+    m_is_over = m_is_asked && m_gives_up();
+    return m_is_over;
   }
 
-private:
   std::vector<Cell> possible_cells()
   {
     const System_layout layout(m_system);
@@ -93,6 +102,8 @@ private:
         for (const std::size_t i : *on_face)
           if (std::find(result.begin(), result.end(), i) == result.end())
             result.push_back(i);
+        if (is_over())
+          return result;
       }
     return result;
   }
@@ -100,6 +111,8 @@ private:
   // Cuts the cells in two groups along a break, until there is one cell.
   void split_cells(const Exact_ranges& box, const std::vector<Cell>& cells, const Vertex_indices& vertices)
   {
+    if (is_over())
+      return;
     const auto [axis, index] = middle_break(box);
     if (axis < 0) {
       m_tasks.push_back({box, box, vertices, 0});
@@ -126,11 +139,10 @@ private:
   }
 
   // In rounds. The budget of the first one is small: it makes the tasks of the others.
-  template <class Begins_again>
-  void run_tasks(const Begins_again& begins_again)
+  void run_tasks()
   {
     constexpr std::size_t first_budget = 256, budget = 4096;
-    for (std::size_t share = first_budget; !m_tasks.empty(); share = budget) {
+    for (std::size_t share = first_budget; !is_over() && !m_tasks.empty(); share = budget) {
       const std::size_t left = m_options.node_limit == 0 ? m_tasks.size() * share : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
       if (left == 0)
         return give_up();
@@ -147,8 +159,6 @@ private:
       for (std::size_t i = 0; i < count; ++i)
         take(std::move(found[i]), tasks[i].vertices);
       m_tasks.insert(m_tasks.end(), tasks.begin() + static_cast<std::ptrdiff_t>(count), tasks.end());
-      if (begins_again(m_undecided))
-        return;
     }
   }
 
@@ -220,7 +230,7 @@ struct Curve_search
 {
   bool are_faces_undecided = false;                       // curves in faces of the domain, since each point is on several faces, or in several places of one
   std::vector<std::size_t> closed_unknowns = {};          // both ends of their ranges are the same: curves in these faces are found at the lower one
-  std::function<bool()> gives_up = [] { return false; };  // called once, when something is left at the tolerance and no equality has repeated factors: whether there are better equations
+  std::function<bool()> gives_up = [] { return false; };  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
 
   enum Use { FIND, SKIP, LEAVE };
 
@@ -247,22 +257,17 @@ inline void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_v
 }
 
 /*
-Boxes that are left at the tolerance may lie along a curve that an equality counts several times. So when the first of them are, the solver looks for repeated factors and, if there are some, begins again without them.
+Where boxes are left at the tolerance, or singular points are on cutting planes, a curve may be one that an equality counts several times. So the solver looks for repeated factors then and, if there are some, begins again without them.
 */
 template <class Traits, class Concurrency_tag>
 Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
 {
   std::optional<Simple_factors> factors;
-  bool has_given_up = false;
-  const auto is_left = [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; };
-  const auto begins_again = [&](const std::vector<Undecided_box>& undecided) {
-    if (!factors && std::any_of(undecided.begin(), undecided.end(), is_left)) {
-      factors.emplace(system);
-      has_given_up = !factors->is_simpler() && search.gives_up();
-    }
-    return has_given_up || (factors && factors->is_simpler());
+  const auto gives_up = [&] {
+    factors.emplace(system);
+    return factors->is_simpler() || search.gives_up();
   };
-  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control)(begins_again);
+  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control, gives_up)();
   if (!factors || !factors->is_simpler())
     return result;
   Solver_options rest = options;
