@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All curves that two B-spline surfaces have in common.
+// All curves that two B-spline surfaces have in common: transversal ones, and those along which they touch (tangent).
 //
 //   surface_intersection [A B] [--output FILE.svg|FILE.vtp]
 //
-// A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg), or
-// written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+// A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along
+// which they touch in violet), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -33,15 +33,15 @@ Surface read_surface(const std::string& path)
   return file.surfaces_3.front().object;
 }
 
-void write(const std::string& path, const Surface& a, const Surface& b, const std::vector<std::vector<K::Point_3>>& polylines)
+void write(const std::string& path, const Surface& a, const Surface& b, const SC::Surface_intersection<K>& set, const std::vector<std::vector<K::Point_3>>& polylines)
 {
   std::ofstream out(path);
   if (path.ends_with(".svg")) {
     Scene scene;
     scene.add(a, {150, 190, 235});
     scene.add(b, {255, 190, 110});
-    for (const auto& polyline : polylines)
-      scene.add(polyline, "#c00020");
+    for (std::size_t i = 0; i < polylines.size(); ++i)
+      scene.add(polylines[i], set.curves()[i].kind() == SC::Intersection_kind::TANGENT ? "#7a00a8" : "#c00020");
     scene.write(out);
   } else
     SC::IO::write_VTP(out, polylines);
@@ -66,9 +66,9 @@ int main(int argc, char* argv[])
     std::vector<std::vector<K::Point_3>> polylines;
     for (const SC::Intersection_curve& curve : set.curves()) {
       polylines.push_back(set.polyline(curve, 1e-3));
-      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed" : "open") << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
+      std::cout << "curve " << polylines.size() << "  " << (curve.is_closed ? "closed, " : "open, ") << curve.kind() << ", " << polylines.back().size() << " points from (" << polylines.back().front() << ")\n";
     }
-    write(output, a, b, polylines);
+    write(output, a, b, set, polylines);
     std::cout << set << '\n';
     return set.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {

@@ -119,11 +119,27 @@ TEST(Curve_extremes, constant_quantities_are_no_extremes)
   EXPECT_EQ(count(line, Kind::UNDECIDED), line.extremes.size());
 }
 
+// Planes cut a cylinder in ellipses with the half axes 1 and sqrt(1 + a^2): most curved at (1, 0, a) and (-1, 0, -a), least at (0, 1, 0) and (0, -1, 0), up to a motion along the axis.
+TEST(Curve_extremes, ellipses_in_space)
+{
+  auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-9, 9});
+  for (const Rational& a : {Rational(1), Rational(1, 2), Rational(-7, 3)}) {
+    const auto set = SC::curvature_extremes(std::vector<SC::Constraint>{x * x + y * y == 1, z == a * x + Rational(1, 5)});
+    EXPECT_TRUE(set.summary.is_complete);
+    expect_counts(set, 2, 2, 0);
+    for (const auto& extreme : set.extremes) {
+      const std::vector<double> p = extreme.solution.point();
+      EXPECT_NEAR(std::abs(p[extreme.kind == Kind::MAXIMUM ? 0 : 1]), 1, 1e-12);
+      EXPECT_NEAR(p[2], CGAL::to_double(a) * p[0] + 0.2, 1e-12);
+    }
+  }
+}
+
 TEST(Curve_extremes, bad_input)
 {
   auto [x, y, z] = SC::unknowns({-3, 3}, {-3, 3}, {-3, 3});
   auto [u, v] = SC::unknowns({-3, 3}, {-3, 3});
   EXPECT_THROW(SC::turning_points(std::vector<SC::Constraint>{x * x + y * y == 1}, x), SC::Invalid_input);
   EXPECT_THROW(SC::turning_points(std::vector<SC::Constraint>{u * u + v * v == 1}, x), SC::Invalid_input);
-  EXPECT_THROW(SC::curvature_extremes(std::vector<SC::Constraint>{x * x + y * y == 1, z == 0}), SC::Invalid_input);
+  EXPECT_THROW(SC::curvature_extremes(std::vector<SC::Constraint>{x * x + y * y + z == 1}), SC::Invalid_input);
 }

@@ -410,7 +410,8 @@ TEST(Intersection_curves, what_is_not_proved_is_undecided)
   const Intersection same = SC::intersection_curves(a, a, {.tolerance = 1e-2});
   EXPECT_FALSE(same.is_complete());
   EXPECT_FALSE(same.undecided().empty());
-  const Intersection along_circle = SC::intersection_curves(torus, K::Plane_3(0, 0, 1, -1), {.tolerance = 1e-3});
+  auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const auto along_circle = SC::intersection_curves(SC::Implicit_surface_3(x * x + y * y == 1), K::Sphere_3(Point(0, 0, 0), 1), {.tolerance = 1e-2});
   EXPECT_FALSE(along_circle.is_complete());
   EXPECT_FALSE(along_circle.undecided().empty());
   EXPECT_EQ(along_circle.undecided()[0].kind(), SC::Intersection_kind::UNDECIDED);

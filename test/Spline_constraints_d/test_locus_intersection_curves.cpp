@@ -68,6 +68,20 @@ TEST(Locus_intersection_curves, moved_plane_and_sphere)
   EXPECT_TRUE(apart.curves().empty());
 }
 
+// The offset of a gutter lies on a plane along a line, which is not proved.
+TEST(Locus_intersection_curves, contact_curves_are_undecided)
+{
+  std::vector<Point> points;
+  for (const int u : {-1, 0, 1})
+    for (const int v : {-1, 1})
+      points.emplace_back(u, v, u == 0 ? -1 : 1);
+  const Surface gutter({2, 1}, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, points);
+  auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
+  const auto contact = SC::intersection_curves(SC::Offset_surface_3(gutter, Rational(-1, 2)), SC::Implicit_surface_3(z == Rational(-1, 2)), {.tolerance = 1e-2});
+  EXPECT_FALSE(contact.is_complete());
+  EXPECT_FALSE(contact.undecided().empty());
+}
+
 TEST(Locus_intersection_curves, offset_of_a_paraboloid)
 {
   const SC::Offset_surface_3 offset(paraboloid(), Rational(1, 2));

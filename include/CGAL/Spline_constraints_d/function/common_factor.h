@@ -211,17 +211,52 @@ inline std::optional<Common_factor> common_factor(const std::vector<Power_polyno
   return std::nullopt;
 }
 
+namespace internal {
+
+// A common factor of a polynomial and its derivatives.
+inline std::optional<Common_factor> repeated_factor(const Power_polynomial& polynomial)
+{
+  std::vector<Power_polynomial> all{polynomial};
+  for (int variable : polynomial.variables())
+    all.push_back(polynomial.derivative(variable));
+  return common_factor(all);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDFunctions
 a polynomial with the same zeros, real and complex, without the repeated factors that `common_factor()` finds.
 */
 inline Power_polynomial square_free_part(const Power_polynomial& polynomial)
 {
-  std::vector<Power_polynomial> derivatives{polynomial};
-  for (int variable : polynomial.variables())
-    derivatives.push_back(polynomial.derivative(variable));
-  const auto repeated = common_factor(derivatives);
+  const auto repeated = internal::repeated_factor(polynomial);
   return repeated ? repeated->cofactors[0] : polynomial;
+}
+
+/*!
+\ingroup PkgSplineConstraintsDFunctions
+polynomials \f$g_1, \dots, g_m\f$ with \f$f = c\, g_1 g_2^2 \cdots g_m^m\f$ for a constant \f$c\f$, exactly, where no \f$g_k\f$ has repeated factors that `common_factor()` finds, nor two of them a common one. Just \f$f\f$ if it has none.
+
+Source: Yun, On square-free decomposition algorithms, 1976; with all derivatives in the place of one.
+*/
+inline std::vector<Power_polynomial> square_free_factors(const Power_polynomial& f)
+{
+  std::vector<Power_polynomial> result;   // at first g_k g_{k+1} ... g_m
+  for (Power_polynomial rest = f;;) {
+    const auto repeated = internal::repeated_factor(rest);
+    result.push_back(repeated ? repeated->cofactors[0] : rest);
+    if (!repeated)
+      break;
+    rest = repeated->factor;
+  }
+  for (std::size_t k = 0; k + 1 < result.size(); ++k) {
+    const auto common = common_factor({result[k], result[k + 1]});
+    if (!common || !common->cofactors[1].is_constant())
+      return {f};
+    result[k] = common->cofactors[0];
+  }
+  return result;
 }
 
 } // namespace Spline_constraints

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTION_CURVE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTION_CURVE_H
 
+#include <CGAL/Spline_constraints_d/operations/Intersection_kind.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -39,6 +41,15 @@ struct Intersection_curve
 
   //! whether the last arc ends where the first one begins.
   bool is_closed;
+
+  //! how often its points count in the equations that were solved, see `Curve_piece::multiplicity`; 0 if this is not known. If one of two surfaces is implicit, and not singular along the curve, they have contact of the order `multiplicity` - 1 there.
+  int multiplicity = 1;
+
+  /*!
+  `TRANSVERSAL`: the surfaces cross at an angle in all points between the ends of arcs, by proof, since the equations are regular there. `TANGENT`: a contact curve, along which the surfaces have the same tangent planes, or one of them is singular, by proof, as the points count
+  several times. `UNDECIDED`: this is not known, or arcs differ.
+  */
+  Intersection_kind kind() const { return multiplicity == 1 ? Intersection_kind::TRANSVERSAL : multiplicity > 1 ? Intersection_kind::TANGENT : Intersection_kind::UNDECIDED; }
 };
 
 } // namespace Spline_constraints

@@ -78,6 +78,8 @@ public:
       return;
     const internal::Joined_parts joined(m_parts);
     m_curves = joined.curves();
+    for (Intersection_curve& curve : m_curves)
+      count_multiplicity(curve);
     m_pinch_points = joined.equal_pairs();
     m_unmatched = joined.unmatched();
     const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind, const std::vector<internal::Part_vertex>& vertices) {
@@ -103,6 +105,12 @@ public:
   //! number of closed curves.
   std::size_t number_of_closed_curves() const { return internal::number_of_closed(m_curves); }
 
+  //! number of curves along which the surfaces touch: those whose kind is `TANGENT`.
+  std::size_t number_of_contact_curves() const
+  {
+    return static_cast<std::size_t>(std::count_if(m_curves.begin(), m_curves.end(), [](const Intersection_curve& curve) { return curve.kind() == Intersection_kind::TANGENT; }));
+  }
+
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
@@ -118,7 +126,7 @@ public:
   //! whether the curves, points and singular points are all that the surfaces have in common, and the curves are connected as they say, by proof.
   bool is_complete() const { return m_summary.is_complete; }
 
-  //! the first (`side` 0) or last (`side` 1) point of a curve; of a closed one, which is `TRANSVERSAL` there, the first one.
+  //! the first (`side` 0) or last (`side` 1) point of a curve; of a closed one, which has the kind of the curve there, the first one.
   Special_point end(const Intersection_curve& curve, int side) const
   {
     const Intersection_arc& arc = side == 0 || curve.is_closed ? curve.arcs.front() : curve.arcs.back();
@@ -129,7 +137,7 @@ public:
     const auto has_it = [&](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end(); };
     const auto is_one_of = [&](const std::vector<internal::Part_vertex>& points) { return std::find(points.begin(), points.end(), end) != points.end(); };
     const bool is_undecided = vertex.is_on_inequality || is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
-    return special_point(curve.is_closed                                   ? Intersection_kind::TRANSVERSAL
+    return special_point(curve.is_closed                                   ? curve.kind()
                          : vertex.is_singular || is_one_of(m_pinch_points) ? Intersection_kind::TANGENT
                          : is_undecided                                    ? Intersection_kind::UNDECIDED
                                                                            : Intersection_kind::END_POINT,
@@ -199,6 +207,16 @@ public:
   const Summary& summary() const { return m_summary; }
 
 private:
+  // That of all of its arcs.
+  void count_multiplicity(Intersection_curve& curve) const
+  {
+    const auto multiplicity = [&](const Intersection_arc& arc) { return m_parts[arc.part].solutions.curves()[arc.index].multiplicity(); };
+    curve.multiplicity = multiplicity(curve.arcs.front());
+    for (const Intersection_arc& arc : curve.arcs)
+      if (multiplicity(arc) != curve.multiplicity)
+        curve.multiplicity = 0;
+  }
+
   Special_point special_point(Intersection_kind kind, const internal::Part_vertex& point) const
   {
     const auto& [surfaces, solutions] = m_parts[point.part];

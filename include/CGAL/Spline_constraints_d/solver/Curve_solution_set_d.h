@@ -64,6 +64,10 @@ struct Curve_piece
 
   //! indices of the vertices at its two ends, in the order along the curve.
   std::array<std::size_t, 2> ends;
+
+  //! how often the equalities count the points between its ends. 1: their gradients are linearly independent there, by proof. More than 1: equalities are products with a power as a factor, the solutions of the system without the exponents are regular
+  //! there, and this is the exponent, or the product of one of each equality. 0: this is not known.
+  int multiplicity = 1;
 };
 
 /*!
@@ -78,6 +82,13 @@ struct Solution_curve
 
   //! whether the last piece ends where the first one begins, which is a regular point.
   bool is_closed;
+
+  //! how often the equalities count its points, see `Curve_piece::multiplicity`; 0 where this is not known, or pieces differ.
+  int multiplicity() const
+  {
+    const auto differs = [&](const Curve_piece& piece) { return piece.multiplicity != pieces.front().multiplicity; };
+    return std::any_of(pieces.begin(), pieces.end(), differs) ? 0 : pieces.front().multiplicity;
+  }
 
   //! indices of the vertices along the curve; of a closed curve the first one is not repeated.
   std::vector<std::size_t> vertices() const

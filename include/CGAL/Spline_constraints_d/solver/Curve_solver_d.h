@@ -11,12 +11,13 @@
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_chains.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curves_on_faces.h>
-#include <CGAL/Spline_constraints_d/solver/internal/simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Simple_factors.h>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -43,10 +44,14 @@ class All_curves
   std::vector<Curve_task> m_tasks;
   std::vector<std::vector<Exact_rational>> m_breaks;
   std::vector<double> m_widths;
+  const std::function<bool()> m_gives_up;
+  std::size_t m_checked = 0;   // of the vertices
+  bool m_is_asked = false, m_is_over = false;
 
 public:
-  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
-    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options)
+  // Asks gives_up() when curves seem to be singular, once.
+  All_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, std::function<bool()> gives_up = [] { return false; })
+    : m_system(system), m_equalities(equalities_of(system)), m_options(options), m_control(control), m_vertices(options), m_gives_up(std::move(gives_up))
   {}
 
   Found_curves operator()()
@@ -66,6 +71,18 @@ public:
   }
 
 private:
+  // Whether to stop. A box is left at the tolerance, or a curve does not cross a plane at an angle: that may happen along all of it.
+  bool is_over()
+  {
+    if (m_is_asked)
+      return m_is_over;
+    m_is_asked = std::any_of(m_undecided.begin(), m_undecided.end(), [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; });
+    for (; m_checked < m_vertices.size() && !m_is_asked; ++m_checked)
+      m_is_asked = m_vertices[m_checked].kind != Plane_point::REGULAR && !m_vertices[m_checked].is_singular;
+    m_is_over = m_is_asked && m_gives_up();
+    return m_is_over;
+  }
+
   std::vector<Cell> possible_cells()
   {
     const System_layout layout(m_system);
@@ -85,6 +102,8 @@ private:
         for (const std::size_t i : *on_face)
           if (std::find(result.begin(), result.end(), i) == result.end())
             result.push_back(i);
+        if (is_over())
+          return result;
       }
     return result;
   }
@@ -92,6 +111,8 @@ private:
   // Cuts the cells in two groups along a break, until there is one cell.
   void split_cells(const Exact_ranges& box, const std::vector<Cell>& cells, const Vertex_indices& vertices)
   {
+    if (is_over())
+      return;
     const auto [axis, index] = middle_break(box);
     if (axis < 0) {
       m_tasks.push_back({box, box, vertices, 0});
@@ -121,7 +142,7 @@ private:
   void run_tasks()
   {
     constexpr std::size_t first_budget = 256, budget = 4096;
-    for (std::size_t share = first_budget; !m_tasks.empty(); share = budget) {
+    for (std::size_t share = first_budget; !is_over() && !m_tasks.empty(); share = budget) {
       const std::size_t left = m_options.node_limit == 0 ? m_tasks.size() * share : m_options.node_limit - (std::min)(m_options.node_limit, m_summary.nodes);
       if (left == 0)
         return give_up();
@@ -204,55 +225,104 @@ inline void check_curve_system(const Constraint_system_d& system)
       throw Invalid_input("solve_curves: the range of unknown " + std::to_string(v) + " is one number");
 }
 
-// Boxes that are left at the tolerance may lie along a curve that an equality counts several times.
-template <class Traits, class Concurrency_tag>
-Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control)
+// What an operation knows of its curves.
+struct Curve_search
 {
-  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control)();
-  const auto is_left = [](const Undecided_box& box) { return box.reason == Undecided_reason::TOLERANCE; };
-  if (std::any_of(result.undecided.begin(), result.undecided.end(), is_left))
-    if (const std::optional<Constraint_system_d> simple = with_simple_factors(system))
-      return All_curves<Traits, Concurrency_tag>(*simple, options, control)();
-  return result;
+  bool are_faces_undecided = false;                       // curves in faces of the domain, since each point is on several faces, or in several places of one
+  std::vector<std::size_t> closed_unknowns = {};          // both ends of their ranges are the same: curves in these faces are found at the lower one
+  std::function<bool()> gives_up = [] { return false; };  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
+
+  enum Use { FIND, SKIP, LEAVE };
+
+  Use use(const Constraint_system_d& system, const Vanishing_face& face) const
+  {
+    const auto& [lower, upper] = system.domain(face.axis);
+    if (lower < face.value && face.value < upper)
+      return FIND;
+    if (are_faces_undecided)
+      return LEAVE;
+    return face.value == upper && std::find(closed_unknowns.begin(), closed_unknowns.end(), static_cast<std::size_t>(face.axis)) != closed_unknowns.end() ? SKIP : FIND;
+  }
+};
+
+// How often curves count that were found without the repeated factors. A piece has one regular vertex at least, unless both of its ends are singular points.
+inline void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices& vertices, const Simple_factors& factors)
+{
+  for (Curve_piece& piece : pieces) {
+    piece.multiplicity = 0;
+    for (const std::size_t i : piece.ends)
+      if (piece.multiplicity == 0 && !vertices[i].is_singular_point())
+        piece.multiplicity = factors.multiplicity(piece.box, vertices[i].box);
+  }
 }
 
-// What is found of a system: curves that lie in a face of the domain, where an equality has a factor that is zero there, apart from the others.
+/*
+Where boxes are left at the tolerance, or singular points are on cutting planes, a curve may be one that an equality counts several times. So the solver looks for repeated factors then and, if there are some, begins again without them.
+*/
 template <class Traits, class Concurrency_tag>
-Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, bool finds_faces)
+Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
+{
+  std::optional<Simple_factors> factors;
+  const auto gives_up = [&] {
+    factors.emplace(system);
+    return factors->is_simpler() || search.gives_up();
+  };
+  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control, gives_up)();
+  if (!factors || !factors->is_simpler())
+    return result;
+  Solver_options rest = options;
+  if (options.node_limit > 0)
+    rest.node_limit = (std::max)(options.node_limit - (std::min)(result.summary.nodes, options.node_limit), std::size_t(1));
+  Found_curves simple = All_curves<Traits, Concurrency_tag>(factors->system(), rest, control)();
+  count_multiplicities(simple.pieces, simple.vertices, *factors);
+  simple.summary.nodes += result.summary.nodes;
+  return simple;
+}
+
+// What is found of a system: curves that lie in a face of the domain or a plane of breaks, where an equality has a factor that is zero there, apart from the others.
+template <class Traits, class Concurrency_tag>
+Found_curves found_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
 {
   if (std::any_of(system.equalities().begin(), system.equalities().end(), is_zero_everywhere)) {
     Found_curves nothing{Curve_vertices(options)};
     nothing.undecided.push_back({domain_of(system), {}, Undecided_reason::CONTINUUM});
     return nothing;
   }
-  const std::optional<Vanishing_face> face = finds_faces ? vanishing_face(system) : std::nullopt;
+  const std::optional<Vanishing_face> face = vanishing_face(system);
   if (!face)
-    return curves_of_simple_factors<Traits, Concurrency_tag>(system, options, control);
-  Found_curves result = found_curves<Traits, Concurrency_tag>(without_face(system, *face), options, control, true);
-  if (const std::optional<Constraint_system_d> on_face = system_on_face(system, *face))
-    Curves_on_face(*face, result).add(found_curves<Traits, Concurrency_tag>(*on_face, options, control, true));
+    return curves_of_simple_factors<Traits, Concurrency_tag>(system, options, control, search);
+  const auto [rest, exponent] = without_face(system, *face);
+  Found_curves result = found_curves<Traits, Concurrency_tag>(rest, options, control, search);
+  Curves_on_face on_face(*face, exponent, result);
+  const Curve_search::Use use = search.use(system, *face);
+  if (use == Curve_search::LEAVE)
+    on_face.leave_undecided(domain_of(system));
+  else if (const std::optional<Constraint_system_d> curves = use == Curve_search::FIND ? system_on_face(system, *face) : std::nullopt)
+    on_face.add(found_curves<Traits, Concurrency_tag>(*curves, options, control, search));
   return result;
 }
 
-// All curves of solutions of a system; without `finds_faces` those in faces of the domain are undecided.
+// All curves of solutions of a system.
 template <class Traits, class Concurrency_tag>
-Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, bool finds_faces)
+Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search = {})
 {
   check_curve_system(system);
-  Found_curves found = found_curves<Traits, Concurrency_tag>(system, options, control, finds_faces);
+  Found_curves found = found_curves<Traits, Concurrency_tag>(system, options, control, search);
   found.summary.seconds = control.seconds();
   const Exact_ranges domain = domain_of(system);
   return Curve_chains(domain, found.vertices, std::move(found.pieces), std::move(found.undecided)).solution_set(std::move(found.points), found.summary);
 }
 
-// For domains whose faces are seams or cuts, where each point is on several faces: curves in them are undecided.
-inline Curve_solution_set_d curves_within(const Constraint_system_d& system, const Solver_options& options)
+inline Curve_solution_set_d all_curves(const Constraint_system_d& system, const Solver_options& options, const Curve_search& search)
 {
   options.check();
   Default_solver_visitor visitor;
   Run_control control(visitor, options);
-  return all_curves<Certified_solver_traits, CGAL::Sequential_tag>(system, options, control, false);
+  return all_curves<Certified_solver_traits, CGAL::Sequential_tag>(system, options, control, search);
 }
+
+// For domains whose faces are seams or cuts, where each point is on several faces: curves in them are undecided.
+inline Curve_solution_set_d curves_within(const Constraint_system_d& system, const Solver_options& options) { return all_curves(system, options, {.are_faces_undecided = true}); }
 
 } // namespace internal
 
@@ -271,7 +341,7 @@ where two curves cross transversally, and for isolated solutions with a definite
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
 
-A curve that an equality counts several times, by a repeated factor, is found once if the equality is one polynomial. Curves that lie in a face of the domain are found, and where others meet them, if an equality is zero on the whole face; otherwise they are undecided, and so are curves in the plane of a break.
+A curve that an equality counts several times, by a repeated factor in each of its cells, is found once, with its `Solution_curve::multiplicity()`. Curves that lie in a face of the domain, or in a plane of breaks, are found, and where others meet them, if an equality is zero on the whole face or plane; otherwise they are undecided.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.
@@ -284,7 +354,7 @@ class Curve_solver_d
   Solver_options m_options;
 
 public:
-  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision; the number of nodes is that for the curves in a face, and for all others, each.
+  //! \param options the tolerance is the width, relative to \f$\max(1, |x|)\f$, below which an undecided box is not split any further. The limits hold for the boxes of the subdivision; the number of nodes is that for the curves in a face or a plane of breaks, and for all others, each.
   //! \throws Invalid_input when an option makes no sense.
   explicit Curve_solver_d(const Solver_options& options = {.tolerance = 1e-8}) : m_options(options) { m_options.check(); }
 
@@ -296,7 +366,7 @@ public:
   Curve_solution_set_d operator()(const Constraint_system_d& system, Visitor& visitor) const
   {
     internal::Run_control control(visitor, m_options);
-    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control, true);
+    return internal::all_curves<Traits, Concurrency_tag>(system, m_options, control);
   }
 
   Curve_solution_set_d operator()(const Constraint_system_d& system) const

@@ -190,29 +190,56 @@ inline Curve_extremes_d turning_points(std::span<const Constraint> constraints, 
   return quantity.stationary_points(quantity.tangent()[u.index()], options);
 }
 
+namespace internal {
+
+// 2 D K' - 3 K D' of a plane curve.
+inline Expression rate_of_signed_curvature(const Curve_quantity& curve)
+{
+  const Expression &f_y = curve.tangent()[0], f_x = -curve.tangent()[1];
+  const auto by = [&](const Expression& formula, std::size_t i) { return derivative(formula, curve.unknowns()[i]); };
+  const Expression k = by(f_x, 0) * square(f_y) - 2 * by(f_x, 1) * f_x * f_y + by(f_y, 1) * square(f_x), d = square(f_x) + square(f_y);
+  return 2 * d * curve.derivative_along(k) - 3 * k * curve.derivative_along(d);
+}
+
+// D N' - 3 N D' of a curve in space.
+inline Expression rate_of_squared_curvature(const Curve_quantity& curve)
+{
+  Expression d = 0, mixed = 0, bend = 0;
+  for (const Expression& component : curve.tangent()) {
+    const Expression change = curve.derivative_along(component);
+    d += square(component);
+    mixed += component * change;
+    bend += square(change);
+  }
+  const Expression n = d * bend - square(mixed);
+  return d * curve.derivative_along(n) - 3 * n * curve.derivative_along(d);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSplineConstraintsDSolver
 
-all points of a plane curve \f$F(x,y) = 0\f$ where its curvature is stationary (its vertices). With \f$K = F_{xx} F_y^2 - 2 F_{xy} F_x F_y + F_{yy} F_x^2\f$ and \f$D = F_x^2 + F_y^2\f$ the curvature is \f$K / D^{3/2}\f$, positive where
+all points of curves where their curvature is stationary: the vertices of a plane curve \f$F(x,y) = 0\f$, or those of curves in space.
+
+With \f$K = F_{xx} F_y^2 - 2 F_{xy} F_x F_y + F_{yy} F_x^2\f$ and \f$D = F_x^2 + F_y^2\f$ the curvature in the plane is \f$K / D^{3/2}\f$, positive where
 \f$F < 0\f$ is convex: a maximum is one of this, so where it is negative the curve bends least there. The equation is \f$2 D K' = 3 K D'\f$, with derivatives along the curve; at its zeros the sign of its own derivative tells maxima from minima.
 
-Singular points of the curve are solutions as well, and undecided. Circles and straight lines are what the solver reports of a continuum.
+In three and more unknowns, with the tangent \f$T\f$ of cofactors of the Jacobian, \f$D = |T|^2\f$ and \f$N = D\,|T'|^2 - \langle T, T'\rangle^2\f$, the squared curvature is \f$N / D^3\f$, and the equation \f$D N' = 3 N D'\f$; the curvature itself has no sign, and points where it is zero are minima.
 
-\param constraints the constraints between two unknowns; one equality, and inequalities, which hold for the points.
+Singular points of the curves are solutions as well, and undecided. Circles and straight lines are what the solver reports of a continuum.
+
+\param constraints the constraints; one equality less than unknowns. Inequalities hold for the points.
 \param options those of the solver.
-\throws Invalid_input as `make_system()`; when there are not two unknowns and one equality, or one of the first three derivatives of a spline jumps.
+\throws Invalid_input as `make_system()`; when the number of equalities is another one, or one of the first three derivatives of a spline jumps.
 
-Complexity: that of the solver, for an equation of about five times the degree.
+Complexity: that of the solver, for an equation of about five times the degree in the plane, and nine times the degree of the tangent in space.
 */
 inline Curve_extremes_d curvature_extremes(std::span<const Constraint> constraints, const Solver_options& options = {})
 {
   const internal::Curve_quantity curve(constraints, "curvature_extremes");
-  if (curve.unknowns().size() != 2)
-    throw Invalid_input("curvature_extremes: " + std::to_string(curve.unknowns().size()) + " unknowns instead of two");
-  const Expression &f_y = curve.tangent()[0], f_x = -curve.tangent()[1];
-  const auto by = [&](const Expression& formula, std::size_t i) { return derivative(formula, curve.unknowns()[i]); };
-  const Expression k = by(f_x, 0) * square(f_y) - 2 * by(f_x, 1) * f_x * f_y + by(f_y, 1) * square(f_x), d = square(f_x) + square(f_y);
-  return curve.stationary_points(2 * d * curve.derivative_along(k) - 3 * k * curve.derivative_along(d), options);
+  const bool is_plane = curve.unknowns().size() == 2;
+  return curve.stationary_points(is_plane ? internal::rate_of_signed_curvature(curve) : internal::rate_of_squared_curvature(curve), options);
 }
 
 } // namespace Spline_constraints

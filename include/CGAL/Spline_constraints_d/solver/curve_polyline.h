@@ -9,7 +9,7 @@
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
-#include <CGAL/Spline_constraints_d/solver/internal/simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Simple_factors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,8 +97,8 @@ private:
   Curve_sampler* simpler()
   {
     if (!std::exchange(m_is_simple, true))
-      if (const std::optional<Constraint_system_d> system = with_simple_factors(m_system)) {
-        m_simpler = std::make_unique<Curve_sampler>(*system);
+      if (const Simple_factors factors(m_system); factors.is_simpler()) {
+        m_simpler = std::make_unique<Curve_sampler>(factors.system());
         m_simpler->m_is_simple = true;
       }
     return m_simpler.get();

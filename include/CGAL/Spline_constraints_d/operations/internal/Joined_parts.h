@@ -88,7 +88,7 @@ private:
         list.push_back({part, i});
     };
     append(m_points, joints.points());
-    append(m_singular_points, solutions.singular_points());
+    append(m_singular_points, joints.without_repetitions(solutions.singular_points()));
     append(m_equal_pairs, joints.equal_pairs());
     append(m_unmatched, joints.unmatched());
   }

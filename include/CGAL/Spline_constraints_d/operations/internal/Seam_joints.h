@@ -81,6 +81,16 @@ public:
   // The vertices that are pairs of equal points.
   const std::vector<std::size_t>& equal_pairs() const { return m_equal_pairs; }
 
+  // Vertices, each of those that are the same point once.
+  std::vector<std::size_t> without_repetitions(const std::vector<std::size_t>& vertices) const
+  {
+    std::vector<std::size_t> result;
+    for (const std::size_t i : vertices)
+      if (std::none_of(result.begin(), result.end(), [&](std::size_t k) { return m_point[k] == m_point[i]; }))
+        result.push_back(i);
+    return result;
+  }
+
   // A vertex that stands for all that are the same point in space as a given one.
   std::size_t representative(std::size_t vertex) const { return m_point[vertex]; }
 
@@ -140,13 +150,33 @@ private:
 
   void identify(std::size_t unknown, bool is_upper)
   {
+    const std::vector<bool> is_along_seam = along_face(unknown, is_upper);
     for (const std::size_t i : on_face(unknown, is_upper)) {
+      if (is_along_seam[i])
+        continue;
       const std::vector<Place> partners = across({i, unknown}, is_upper);
       if (partners.size() == 1 && across(partners[0], !is_upper).size() == 1)
         m_point[root(partners[0].vertex)] = root(i);
       else
         m_unmatched.push_back(i);
     }
+  }
+
+  // Which vertices are on pieces in a face, and on no others: curves along a seam are there once.
+  std::vector<bool> along_face(std::size_t unknown, bool is_upper) const
+  {
+    const Exact_rational& value = is_upper ? m_domain[unknown].second : m_domain[unknown].first;
+    std::vector<bool> result(m_set.vertices().size(), false), is_on_others(m_set.vertices().size(), false);
+    for (const Solution_curve& curve : m_set.curves())
+      for (const Curve_piece& piece : curve.pieces)
+        for (const std::size_t i : piece.ends) {
+          const bool is_in_face = piece.box[unknown].first == value && piece.box[unknown].second == value;
+          result[i] = result[i] || is_in_face;
+          is_on_others[i] = is_on_others[i] || !is_in_face;
+        }
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = result[i] && !is_on_others[i];
+    return result;
   }
 
   // The vertices on the other side of a seam that may be the same point.

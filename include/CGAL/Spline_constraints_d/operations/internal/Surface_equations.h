@@ -62,6 +62,14 @@ public:
   // The equations of a surface with itself, on a part of its domain: the parameters of both points come first. Where pairs have no order, there is the direction in which they lie, too, whose two ends are the same. None: it does not meet itself.
   Surface_equations(const Surface_shape& surface, std::optional<Constraint_system_d> pairs) : m_surfaces{surface, surface}, m_is_self_intersection(true), m_system(std::move(pairs)) { number_unknowns(); }
 
+  // Other equations of the common points of two parametric surfaces, in the same unknowns.
+  Surface_equations(const Surface_equations& surfaces, Constraint_system_d system) : Surface_equations(surfaces) { m_system = std::move(system); }
+
+  const Surface_shape& surface(std::size_t index) const { return m_surfaces[index]; }
+
+  // Whether the unknowns are the parameters of two parametric surfaces, each of which has its own.
+  bool has_all_parameters() const { return is_parametric(0) && is_parametric(1) && m_domain.size() == 4 && !m_is_self_intersection; }
+
   // Whether some boxes around the surfaces do not meet. There is no system then.
   bool has_system() const { return m_system.has_value(); }
   const Constraint_system_d& system() const { return *m_system; }
@@ -87,13 +95,13 @@ public:
     return result;
   }
 
-  // Whether the edges of the surfaces are curves, and none of them a seam: then a curve in a face of the domain is one in space, there once.
-  bool has_edges_of_different_points() const
+  // Whether an edge of a surface is one point.
+  bool has_poles() const
   {
     const auto is_pole = [](const Spline_patch<3>& patch, int axis) {
       return patch.part(axis, {patch.domain(axis).first, patch.domain(axis).first}).is_one_point() || patch.part(axis, {patch.domain(axis).second, patch.domain(axis).second}).is_one_point();
     };
-    return closed_unknowns().empty() && std::none_of(m_surfaces.begin(), m_surfaces.end(), [&](const Surface_shape& surface) { return surface.patch && (is_pole(*surface.patch, 0) || is_pole(*surface.patch, 1)); });
+    return std::any_of(m_surfaces.begin(), m_surfaces.end(), [&](const Surface_shape& surface) { return surface.patch && (is_pole(*surface.patch, 0) || is_pole(*surface.patch, 1)); });
   }
 
   // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A face of the domain on which an equality is zero everywhere.
+// A face of the domain, or a plane of breaks in it, on which an equality is zero everywhere.
 struct Vanishing_face
 {
   std::size_t equality;
@@ -60,19 +60,23 @@ struct Found_curves
 };
 
 /*
-A spline and the factor x - c, zero at the end c of the range of an unknown. Where it is zero there, all of its terms are, as a rule: those with other unknowns.
+A spline and the factor x - c, zero at an end c of the range of an unknown, or at a break in it. Where it is zero there, all of its terms are, as a rule: those with other unknowns.
 */
 class Face_factor
 {
   const Spline_function& m_function;
   const int m_unknown;
   const Exact_rational m_value;
-  const bool m_is_lower;
+  const bool m_has_below, m_has_above;           // whether the domain goes on
+  std::pair<std::size_t, std::size_t> m_layers;   // of the cells at the face, on one side or both, the places among those of the unknown
 
 public:
-  Face_factor(const Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, bool is_lower)
-    : m_function(function), m_unknown(unknown), m_value(is_lower ? range.first : range.second), m_is_lower(is_lower)
-  {}
+  Face_factor(const Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, const Exact_rational& value)
+    : m_function(function), m_unknown(unknown), m_value(value), m_has_below(range.first < value), m_has_above(value < range.second), m_layers(0, 0)
+  {
+    if (!function.terms().empty() && axis_of(function.terms().front()))
+      m_layers = layers();
+  }
 
   // Whether all terms are zero on the face, and have the same breaks of the unknown.
   bool divides() const
@@ -85,7 +89,7 @@ public:
     return !m_function.terms().empty();
   }
 
-  // Divided by x - c in the cells at the face and, so that it stays continuous, by a constant in the others. \pre `divides()`
+  // Divided by x - c in the cells at the face and, so that it stays continuous, by constants in the others. \pre `divides()`
   Spline_function quotient() const
   {
     Spline_function result;
@@ -96,7 +100,7 @@ public:
           divide(term, axis, c);
         else
           for (Exact_rational& coefficient : term.pieces[c])
-            coefficient /= width();
+            coefficient /= distance(layer_of(term, axis, c));
       result += Spline_function(std::move(term));
     }
     return result;
@@ -111,24 +115,36 @@ private:
 
   const std::vector<Exact_rational>& breaks() const { return m_function.terms().front().breaks[*axis_of(m_function.terms().front())]; }
 
-  // Of the cells at the face among those of the unknown.
-  std::size_t layer() const
+  std::pair<std::size_t, std::size_t> layers() const
   {
     if (breaks().empty())
-      return 0;
-    const auto next = m_is_lower ? std::upper_bound(breaks().begin() + 1, breaks().end() - 1, m_value) : std::lower_bound(breaks().begin() + 1, breaks().end() - 1, m_value);
-    return static_cast<std::size_t>(next - breaks().begin()) - 1;
+      return {0, 0};
+    const auto place = [&](const auto& next) { return static_cast<std::size_t>(next - breaks().begin()) - 1; };
+    const std::size_t above = place(std::upper_bound(breaks().begin() + 1, breaks().end() - 1, m_value)), below = place(std::lower_bound(breaks().begin() + 1, breaks().end() - 1, m_value));
+    return {m_has_below ? below : above, m_has_above ? above : below};
   }
 
-  // From the face to the next break.
-  Exact_rational width() const { return breaks()[layer() + (m_is_lower ? 1 : 0)] - m_value; }
+  // From the face to the next break, with the sign of that side of it.
+  Exact_rational distance(std::size_t layer) const
+  {
+    const auto [first, last] = m_layers;
+    const bool is_above = m_has_below && m_has_above ? last < layer : m_has_above;
+    return Exact_rational(breaks()[is_above ? last + 1 : first] - m_value);
+  }
 
-  bool is_at_face(const Spline_term& term, std::size_t axis, std::size_t cell) const
+  static std::size_t layer_of(const Spline_term& term, std::size_t axis, std::size_t cell)
   {
     std::size_t inner = 1;
     for (std::size_t j = axis + 1; j < term.variables.size(); ++j)
       inner *= term.cells(j);
-    return cell / inner % term.cells(axis) == layer();
+    return cell / inner % term.cells(axis);
+  }
+
+  bool is_at_face(const Spline_term& term, std::size_t axis, std::size_t cell) const
+  {
+    const auto [first, last] = m_layers;
+    const std::size_t layer = layer_of(term, axis, cell);
+    return first <= layer && layer <= last;
   }
 
   bool vanishes(const Spline_term& term, std::size_t axis) const
@@ -162,30 +178,46 @@ private:
   }
 };
 
+// The faces of the domain and the planes of breaks for an unknown.
+inline std::vector<Exact_rational> places_of_faces(const Constraint_system_d& system, int unknown)
+{
+  const auto& [lower, upper] = system.domain(unknown);
+  std::vector<Exact_rational> result{lower, upper};
+  for (const Spline_function& function : system.equalities())
+    for (const Spline_term& term : function.terms())
+      for (std::size_t j = 0; j < term.variables.size(); ++j)
+        if (term.variables[j] == unknown)
+          result.insert(result.end(), term.breaks[j].begin(), term.breaks[j].end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return {std::lower_bound(result.begin(), result.end(), lower), std::upper_bound(result.begin(), result.end(), upper)};
+}
+
 inline std::optional<Vanishing_face> vanishing_face(const Constraint_system_d& system)
 {
-  for (std::size_t i = 0; i < system.equalities().size(); ++i)
-    for (int axis = 0; axis < system.dimension(); ++axis)
-      for (const bool is_lower : {true, false})
-        if (const auto& range = system.domain(axis); Face_factor(system.equalities()[i], axis, range, is_lower).divides())
-          return Vanishing_face{i, axis, is_lower ? range.first : range.second};
+  for (int axis = 0; axis < system.dimension(); ++axis)
+    for (const Exact_rational& place : places_of_faces(system, axis))
+      for (std::size_t i = 0; i < system.equalities().size(); ++i)
+        if (Face_factor(system.equalities()[i], axis, system.domain(axis), place).divides())
+          return Vanishing_face{i, axis, place};
   return std::nullopt;
 }
 
-// The system with an equality that is divided by the factor of the face, as often as it can be.
-inline Constraint_system_d without_face(const Constraint_system_d& system, const Vanishing_face& face)
+// The system with an equality that is divided by the factor of the face, as often as it can be, and how often this is.
+inline std::pair<Constraint_system_d, int> without_face(const Constraint_system_d& system, const Vanishing_face& face)
 {
   Constraint_system_d result(domain_of(system));
+  int exponent = 0;
   const auto& range = system.domain(face.axis);
   for (std::size_t i = 0; i < system.equalities().size(); ++i) {
     Spline_function function = system.equalities()[i];
-    while (i == face.equality && Face_factor(function, face.axis, range, face.value == range.first).divides())
-      function = Face_factor(function, face.axis, range, face.value == range.first).quotient();
+    for (; i == face.equality && Face_factor(function, face.axis, range, face.value).divides(); ++exponent)
+      function = Face_factor(function, face.axis, range, face.value).quotient();
     result.add(std::move(function), Relation::EQUAL);
   }
   for (const auto& [function, relation] : system.inequalities())
     result.add(function, relation);
-  return result;
+  return {std::move(result), exponent};
 }
 
 /*
@@ -226,26 +258,29 @@ inline std::optional<Constraint_system_d> system_on_face(const Constraint_system
 }
 
 /*
-Joins the curves on a face with all other ones, which meet the face in points. There the equality has two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
+Joins the curves on a face, or a plane of breaks, with all other ones, which meet it in points. There the equality has two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
 vertex there, or lies in a piece, between its ends, since this has no other solutions in its box.
 */
 class Curves_on_face
 {
   const Vanishing_face& m_face;
+  const int m_exponent;
   Found_curves& m_all;
   std::size_t m_first, m_first_undecided;   // of the pieces and boxes on the face
   Vertex_indices m_vertices;
 
 public:
-  // Adds `on_face` to `all`, the solutions without the face.
-  Curves_on_face(const Vanishing_face& face, Found_curves& all) : m_face(face), m_all(all), m_first(all.pieces.size()), m_first_undecided(all.undecided.size()) {}
+  // Adds `on_face` to `all`, the solutions without the face. The exponent is that of the factor of the face.
+  Curves_on_face(const Vanishing_face& face, int exponent, Found_curves& all) : m_face(face), m_exponent(exponent), m_all(all), m_first(all.pieces.size()), m_first_undecided(all.undecided.size()) {}
 
   void add(Found_curves&& on_face)
   {
     const std::vector<bool> is_solution = m_all.solutions();
     on_face.vertices.move_to_plane(m_face.axis, m_face.value);
-    for (Curve_piece& piece : on_face.pieces)
+    for (Curve_piece& piece : on_face.pieces) {
       piece.box[m_face.axis] = {m_face.value, m_face.value};
+      piece.multiplicity *= m_exponent;
+    }
     for (Undecided_box& box : on_face.undecided)
       box.box[m_face.axis] = {m_face.value, m_face.value};
     m_vertices = m_all.vertices.merge(std::move(on_face.vertices), {});
@@ -257,6 +292,18 @@ public:
     for (std::size_t i = 0; i < is_solution.size(); ++i)
       if (is_solution[i] && is_on_face(i) && !is_undecided(i) && !joins_vertex(i) && !splits_piece(i))
         m_all.undecided.push_back({m_all.vertices[i].box, {i}, Undecided_reason::TOLERANCE});
+  }
+
+  // Says nothing of the face of a domain.
+  void leave_undecided(Exact_ranges domain)
+  {
+    domain[m_face.axis] = {m_face.value, m_face.value};
+    Undecided_box face{std::move(domain), {}, Undecided_reason::CONTINUUM};
+    for (std::size_t i = 0; i < m_all.vertices.size(); ++i)
+      if (is_on_face(i))
+        face.vertices.push_back(i);
+    std::erase_if(m_all.points, [&](std::size_t i) { return is_on_face(i); });
+    m_all.undecided.push_back(std::move(face));
   }
 
 private:

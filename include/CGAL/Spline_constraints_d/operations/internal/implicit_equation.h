@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_IMPLICIT_EQUATION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_IMPLICIT_EQUATION_H
+
+#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Rows of numbers in echelon form: each has a one where all others have zeros.
+class Echelon_form
+{
+  std::vector<std::pair<std::size_t, std::vector<Exact_rational>>> m_rows;   // with the places of their ones
+
+public:
+  std::size_t rank() const { return m_rows.size(); }
+
+  void add(std::vector<Exact_rational> row)
+  {
+    for (const auto& [place, other] : m_rows)
+      subtract(row, other, place);
+    const auto pivot = std::find_if(row.begin(), row.end(), [](const Exact_rational& x) { return x != 0; });
+    if (pivot == row.end())
+      return;
+    const auto place = static_cast<std::size_t>(pivot - row.begin());
+    const Exact_rational factor(1 / *pivot);
+    for (Exact_rational& x : row)
+      x *= factor;
+    for (auto& [own, other] : m_rows)
+      subtract(other, row, place);
+    m_rows.emplace_back(place, std::move(row));
+  }
+
+  // The vector orthogonal to all rows. \pre There is one such direction.
+  std::vector<Exact_rational> orthogonal_vector(std::size_t length) const
+  {
+    std::vector<Exact_rational> result(length, Exact_rational(1));
+    for (const auto& [place, row] : m_rows)
+      result[place] = 0;
+    const auto free = static_cast<std::size_t>(std::find(result.begin(), result.end(), Exact_rational(1)) - result.begin());
+    for (const auto& [place, row] : m_rows)
+      result[place] = -row[free];
+    return result;
+  }
+
+private:
+  static void subtract(std::vector<Exact_rational>& row, const std::vector<Exact_rational>& other, std::size_t place)
+  {
+    const Exact_rational factor = row[place];
+    if (factor != 0)
+      for (std::size_t j = 0; j < row.size(); ++j)
+        row[j] -= factor * other[j];
+  }
+};
+
+/*
+The polynomial f of a given degree with f(S) = 0, for a surface S = X/w, if there is one up to a factor.
+
+On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f, which are solved exactly on
+the first piece and tested on the others.
+*/
+class Implicit_equation
+{
+  const Spline_patch<3>& m_surface;
+  const int m_degree;
+  std::vector<std::array<int, 3>> m_monomials;
+
+public:
+  Implicit_equation(const Spline_patch<3>& surface, int degree) : m_surface(surface), m_degree(degree)
+  {
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; i + j <= degree; ++j)
+        for (int k = 0; i + j + k <= degree; ++k)
+          m_monomials.push_back({i, j, k});
+  }
+
+  std::optional<Power_polynomial> operator()() const
+  {
+    Echelon_form rows;
+    bool is_determined = false;
+    visit_points({0, 0}, [&](const std::vector<Exact_rational>& row) {
+      rows.add(row);
+      is_determined = rows.rank() == m_monomials.size();
+      return !is_determined;
+    });
+    if (rows.rank() + 1 != m_monomials.size())
+      return std::nullopt;
+    const std::vector<Exact_rational> coefficients = rows.orthogonal_vector(m_monomials.size());
+    return vanishes_everywhere(coefficients) ? std::optional(polynomial(coefficients)) : std::nullopt;
+  }
+
+private:
+  bool vanishes_everywhere(const std::vector<Exact_rational>& coefficients) const
+  {
+    bool result = true;
+    const auto cells = [&](int axis) { return static_cast<int>(m_surface.breaks(axis).size()) - 2; };
+    for_each_index({cells(0), cells(1)}, [&](const std::vector<int>& cell) {
+      visit_points(cell, [&](const std::vector<Exact_rational>& row) {
+        Exact_rational sum(0);
+        for (std::size_t i = 0; i < row.size(); ++i)
+          sum += row[i] * coefficients[i];
+        result = result && sum == 0;
+        return result;
+      });
+    });
+    return result;
+  }
+
+  // Calls visit(values of the monomials, times w^d) for enough points of a piece, until it returns false.
+  template <class Visit>
+  void visit_points(const std::vector<int>& cell, const Visit& visit) const
+  {
+    const std::vector<Exact_rational> u = parameters(0, cell[0]), v = parameters(1, cell[1]);
+    for (const Exact_rational& x : u)
+      for (const Exact_rational& y : v)
+        if (!visit(values({x, y})))
+          return;
+  }
+
+  std::vector<Exact_rational> parameters(int axis, int cell) const
+  {
+    int degree = m_surface.weight().degree(axis);
+    for (const Exact_function& numerator : m_surface.numerators())
+      degree = (std::max)(degree, numerator.degree(axis));
+    const std::vector<Exact_rational> breaks = m_surface.breaks(axis);
+    const auto begin = breaks[static_cast<std::size_t>(cell)], end = breaks[static_cast<std::size_t>(cell) + 1];
+    const int last = (std::max)(1, m_degree * degree);
+    std::vector<Exact_rational> result;
+    for (int i = 0; i <= last; ++i)
+      result.push_back(begin + (end - begin) * Exact_rational(i, last));
+    return result;
+  }
+
+  std::vector<Exact_rational> values(const std::array<Exact_rational, 2>& parameters) const
+  {
+    std::array<std::vector<Exact_rational>, 4> powers;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Exact_rational x = i < 3 ? m_surface.numerators()[i](parameters) : m_surface.weight()(parameters);
+      powers[i].push_back(Exact_rational(1));
+      for (int k = 0; k < m_degree; ++k)
+        powers[i].push_back(powers[i].back() * x);
+    }
+    std::vector<Exact_rational> result;
+    for (const auto& [i, j, k] : m_monomials)
+      result.push_back(powers[0][i] * powers[1][j] * powers[2][k] * powers[3][m_degree - i - j - k]);
+    return result;
+  }
+
+  Power_polynomial polynomial(const std::vector<Exact_rational>& coefficients) const
+  {
+    Power_polynomial result;
+    for (std::size_t m = 0; m < coefficients.size(); ++m) {
+      Power_polynomial term(coefficients[m]);
+      for (int i = 0; i < 3; ++i)
+        term *= pow(Power_polynomial::variable(i), m_monomials[m][i]);
+      result += term;
+    }
+    return result;
+  }
+};
+
+// The polynomial of the least degree, which is at most four, that is zero on a surface; nothing if there is none: planes, quadrics, cubic ruled surfaces, tori and cyclides have one.
+inline std::optional<Power_polynomial> implicit_equation(const Spline_patch<3>& surface)
+{
+  constexpr int most = 4;
+  for (int degree = 1; degree <= most; ++degree)
+    if (std::optional<Power_polynomial> result = Implicit_equation(surface, degree)())
+      return result;
+  return std::nullopt;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_IMPLICIT_EQUATION_H
