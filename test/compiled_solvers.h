@@ -14,7 +14,7 @@ extern template std::vector<Solution_d<double>>
 all_solutions<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
 
 extern template Curve_solution_set_d
-all_curves<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, bool);
+all_curves<Certified_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, const Curve_search&);
 
 extern template std::vector<Solution_d<double>>
 all_solutions<Fast_solver_traits, CGAL::Sequential_tag>(const Constraint_system_d&, const Solver_options&, Run_control&, Summary&);
