@@ -65,6 +65,8 @@ public:
       split_cells(domain, cells, vertices);
     }
     run_tasks();
+    if (m_is_over)
+      m_undecided.push_back({domain, {}, Undecided_reason::CONTINUUM});
     Vertex_indices points = isolated_points();
     m_summary.nodes += m_vertices.work().nodes;
     return {std::move(m_vertices), std::move(m_pieces), std::move(m_undecided), std::move(points), m_summary};

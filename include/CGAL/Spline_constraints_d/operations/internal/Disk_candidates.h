@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -67,24 +68,40 @@ public:
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
-    std::vector<Disk_candidate> fresh = std::move(candidates), settled, next;
     const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (circle && m_curvature.are_outside_own_circle(part, points(candidate))); };
-    while (!fresh.empty()) {
-      for (Disk_candidate& candidate : fresh)
+    std::vector<Disk_candidate> pool, parts = std::move(candidates);
+    std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
+    const auto add_parts = [&] {
+      for (Disk_candidate& candidate : parts) {
         bound(part, middle, candidate, attained);
-      next.clear();
-      for (const Disk_candidate& candidate : fresh) {
-        if (is_low(candidate))
-          continue;
-        if (is_small(part, candidate, attained.least) || fresh.size() + settled.size() + next.size() > most_candidates)
-          settled.push_back(candidate);
-        else
-          split(part, candidate, next);
+        open.emplace(candidate.bounds.value.sup(), pool.size());
+        pool.push_back(candidate);
       }
-      fresh.swap(next);
+      parts.clear();
+    };
+    std::vector<std::size_t> settled;
+    for (add_parts(); !open.empty();) {
+      for (; !open.empty(); add_parts()) {
+        const std::size_t i = open.top().second;
+        open.pop();
+        if (is_low(pool[i]))
+          continue;
+        if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates)
+          settled.push_back(i);
+        else
+          split(part, pool[i], parts);
+      }
+      std::erase_if(settled, [&](std::size_t i) { return is_low(pool[i]); });
+      if (settled.size() <= most_candidates)
+        std::erase_if(settled, [&](std::size_t i) {
+          const bool was_too_early = !is_small(part, pool[i], attained.least);
+          if (was_too_early)
+            open.emplace(pool[i].bounds.value.sup(), i);
+          return was_too_early;
+        });
     }
-    std::erase_if(settled, is_low);
-    candidates = std::move(settled);
+    for (const std::size_t i : settled)
+      candidates.push_back(pool[i]);
     return attained.least;
   }
 
