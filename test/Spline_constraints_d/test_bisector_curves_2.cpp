@@ -141,14 +141,24 @@ TEST(Bisector_curves_2, cusps)
   expect_no_pencil(quartic, line, std::sqrt(0.5));
 }
 
-// The circles intersect at the seam of the first one, where two branches of the bisector cross: what is not proved there is listed.
+// The circles intersect at the seam of the first one, where two branches of the bisector cross: they are found with that, or what is not proved there is listed.
 TEST(Bisector_curves_2, crossing_on_a_seam)
 {
   const Curve first = SC::to_bspline_curve(K::Circle_2(Point(0, 0), 1)), second = SC::to_bspline_curve(K::Circle_2(Point(1, -1), 1));
   ASSERT_EQ(first.source(), Point(1, 0));
   const Locus locus = SC::bisector_curves(first, second, {.tolerance = 1e-3});
-  EXPECT_FALSE(locus.is_complete());
-  EXPECT_FALSE(locus.undecided().empty());
+  EXPECT_EQ(locus.is_complete(), locus.undecided().empty());
+  double on_line = 0, on_ellipse = 0;
+  for (const Locus::Curve& curve : locus.curves())
+    for (const auto& sample : locus.polyline(curve, 1e-2, 10)) {
+      const double x = CGAL::to_double(sample.point.x()), y = CGAL::to_double(sample.point.y()), a = std::hypot(x, y), b = std::hypot(x - 1, y + 1);
+      const bool is_on_line = std::abs(a - b) < 1e-6 * (1 + a), is_on_ellipse = std::abs(a + b - 2) < 1e-6;
+      EXPECT_TRUE(is_on_line || is_on_ellipse) << x << ' ' << y;
+      on_line += is_on_line;
+      on_ellipse += is_on_ellipse;
+    }
+  EXPECT_GT(on_line, 0);
+  EXPECT_GT(on_ellipse, 0);
 }
 
 TEST(Bisector_curves_2, bad_input)

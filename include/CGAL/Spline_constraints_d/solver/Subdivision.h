@@ -335,12 +335,12 @@ private:
   // Shrinks the node to what the reduction left of it, when that is worth a pass.
   bool contract(Node& node)
   {
-    const auto least_share = [&](int j) { return finest_width(node, j) / width(node, j); };
-    if (!Box_contraction::is_worth_a_pass(m_box, least_share))
+    Box_contraction::widen(m_box, [&](int j) { return finest_width(node, j) / width(node, j); });
+    if (!Box_contraction::is_worth_a_pass(m_box, [](int) { return 0.0; }))
       return false;
     for (int j = 0; j < m_layout.dimension; ++j)
       m_widths[j] = width(node, j);
-    Box_contraction::shrink(node, m_layout, m_box, least_share);
+    node.restrict_to(m_layout, m_box, Box_contraction::least_gain);
     bool is_smaller = false;   // a few units of the last place may round back to where they were
     for (int j = 0; j < m_layout.dimension; ++j)
       is_smaller = is_smaller || width(node, j) < m_widths[j];

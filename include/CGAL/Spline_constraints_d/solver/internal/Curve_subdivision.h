@@ -255,7 +255,7 @@ private:
   // Nothing shrinks below the tolerance.
   auto least_shares(const Node& node) const
   {
-    return [this, &node](int j) { return m_options.tolerance * magnitude(node, j) / width(node, j); };
+    return [this, &node](int j) { return (std::max)(Box_contraction::thinnest, m_options.tolerance * magnitude(node, j) / width(node, j)); };
   }
 
   bool is_worth_a_pass(const Node& node) const { return Box_contraction::is_worth_a_pass(m_part, least_shares(node)); }
@@ -263,7 +263,8 @@ private:
   // Shrinks a box to the part that may hold solutions. There are none on the faces that are moved, so that it keeps its vertices. False when it stays as it is.
   bool shrink(Node& node, Exact_ranges& box)
   {
-    Box_contraction::shrink(node, m_layout, m_part, least_shares(node));
+    Box_contraction::widen(m_part, least_shares(node));
+    node.restrict_to(m_layout, m_part, Box_contraction::least_gain);
     bool is_smaller = false;
     for (int j = 0; j < m_layout.dimension; ++j) {
       const Exact_rational lower(node.lower[j]), upper(node.upper[j]);

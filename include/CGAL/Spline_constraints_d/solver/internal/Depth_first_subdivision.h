@@ -99,26 +99,26 @@ private:
 // When a box shrinks to a part of it. No axis becomes a small part of its width at once: one that collapses would hide the others.
 struct Box_contraction
 {
-  static constexpr double thinnest = 0x1p-10, least_gain = 0.1, greatest_volume = 0.5;
+  static constexpr double least_gain = 0.1, thinnest = 0x1p-10;
 
-  // Whether the part is so much smaller than the box that it is worth a pass. `least_share(j)`: of the width of axis j, which has to stay.
+  // Makes the part as wide as it has to be. `least_share(j)`: of the width of axis j.
   template <std::invocable<int> Least_share>
-  static bool is_worth_a_pass(const Local_box& part, const Least_share& least_share)
-  {
-    double volume = 1;
-    for (int j = 0; j < part.dimension(); ++j)
-      if (const double width = (std::max)(part.width(j), (std::max)(thinnest, least_share(j))); width <= 1 - least_gain)
-        volume *= width;
-    return volume <= greatest_volume;
-  }
-
-  // Shrinks the box to the part.
-  template <class Number_type, std::invocable<int> Least_share>
-  static void shrink(Box_node<Number_type>& node, const System_layout& layout, Local_box& part, const Least_share& least_share)
+  static void widen(Local_box& part, const Least_share& least_share)
   {
     for (int j = 0; j < part.dimension(); ++j)
       part.widen(j, (std::max)(thinnest, least_share(j)));
-    node.restrict_to(layout, part, least_gain);
+  }
+
+  // Whether the part is so much smaller than the box that it is worth a pass, if it may not be less than shares of its width.
+  template <std::invocable<int> Least_share>
+  static bool is_worth_a_pass(const Local_box& part, const Least_share& least_share)
+  {
+    constexpr double greatest_volume = 0.5;
+    double volume = 1;
+    for (int j = 0; j < part.dimension(); ++j)
+      if (const double width = (std::max)(part.width(j), least_share(j)); width <= 1 - least_gain)
+        volume *= width;
+    return volume <= greatest_volume;
   }
 };
 
