@@ -45,6 +45,7 @@ class Precision_ladder
   Summary& m_summary;
   std::size_t m_node_limit;
   std::vector<Multiple_root_search> m_multiple_roots;
+  std::vector<Found_root<Exact_rational>> m_climbed;   // roots that were found on a higher rung, perhaps beside the open box
   // Bounds what is spent on what no precision decides.
   static constexpr std::size_t m_budget = 5000;
   // Boxes where no multiple root was found: after so many, only double roots are looked for.
@@ -194,25 +195,29 @@ private:
     merge_boxes_that_meet(open);
     std::vector<Solution_d<Exact_rational>> found;
     for (const auto& root : roots.roots())
-      if (!is_known(root))
+      if (!is_known(root)) {
         report_root<Number>(root, found);
+        m_climbed.push_back(root);
+      }
     for (const auto& solution : found)
       solutions.emplace_back(solution, bits);
     return std::move(open);
   }
 
-  // A root that was certified in double beside the open box.
+  // A root that was certified in double, or on a higher rung, beside the open box.
   bool is_known(const Found_root<Exact_rational>& root) const
   {
-    return std::any_of(m_known.roots().begin(), m_known.roots().end(), [&](const Found_root<double>& known) {
-      const auto lies_in = [&](const auto& inner, const auto& outer) {
-        for (int j = 0; j < m_layout.dimension; ++j)
-          if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) || Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
-            return false;
-        return true;
-      };
-      return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region);
-    });
+    const auto is_same = [&](const auto& known) { return lies_in(root.enclosure, known.region) || lies_in(known.enclosure, root.region); };
+    return std::any_of(m_known.roots().begin(), m_known.roots().end(), is_same) || std::any_of(m_climbed.begin(), m_climbed.end(), is_same);
+  }
+
+  template <class Box_of_numbers, class Other_box>
+  static bool lies_in(const Box_of_numbers& inner, const Other_box& outer)
+  {
+    for (std::size_t j = 0; j < inner.size(); ++j)
+      if (Exact_rational(inner[j].first) < Exact_rational(outer[j].first) || Exact_rational(outer[j].second) < Exact_rational(inner[j].second))
+        return false;
+    return true;
   }
 };
 
