@@ -4,6 +4,7 @@
 // Minkowski sums: of random polygons, in turns with those of CGAL, by the time of the processor; `difference` is that of both areas; and of regions bounded by periodic cubic splines. `complete` is 1 where all of the sum is proved.
 
 #include "compare_in_turns.h"
+#include "polygon_area.h"
 
 #include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
 
@@ -35,15 +36,6 @@ CGAL::Polygon_2<Kernel> star(unsigned seed, std::size_t corners)
     const double angle = 2 * CGAL_PI * (static_cast<double>(i) + part(random)) / static_cast<double>(corners), radius = length(random);
     result.push_back(typename Kernel::Point_2(radius * std::cos(angle), radius * std::sin(angle)));
   }
-  return result;
-}
-
-template <class Kernel>
-double area(const CGAL::Polygon_with_holes_2<Kernel>& polygon)
-{
-  double result = CGAL::to_double(polygon.outer_boundary().area());
-  for (const auto& hole : polygon.holes())
-    result += CGAL::to_double(hole.area());
   return result;
 }
 

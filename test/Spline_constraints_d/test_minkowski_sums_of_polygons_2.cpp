@@ -3,6 +3,8 @@
 
 // Minkowski sums of random polygons against those of CGAL.
 
+#include "polygon_area.h"
+
 #include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -31,15 +33,6 @@ CGAL::Polygon_2<K> star(std::mt19937& random, int n)
     const double angle = 2 * CGAL_PI * (i + (random() % 512) / 1024.0) / n, length = 1 + (random() % 1024) / 256.0;
     result.push_back(K::Point_2(std::round(1024 * length * std::cos(angle)) / 1024, std::round(1024 * length * std::sin(angle)) / 1024));
   }
-  return result;
-}
-
-template <class Kernel>
-double area(const CGAL::Polygon_with_holes_2<Kernel>& polygon)
-{
-  double result = CGAL::to_double(polygon.outer_boundary().area());
-  for (const auto& hole : polygon.holes())
-    result += CGAL::to_double(hole.area());
   return result;
 }
 

@@ -5,7 +5,11 @@
 
 #include "solver_test_checks.h"
 
+#include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
+
 #include <cstring>
+#include <utility>
+#include <vector>
 
 using namespace solver_test;
 
@@ -142,4 +146,27 @@ TEST(Precision_ladder, BreaksAndFaces)
   const Problem face = all_known("one on the face, the other one outside",
                                  with_equalities(System({{third, 2}}), {(x - third) * (x - third + gap)}), {{third}});
   expect_solved(face, solve(face.system));
+}
+
+// A box may lead to a root beside it: two open boxes to the same one.
+TEST(Precision_ladder, RootOfTwoBoxesIsReportedOnce)
+{
+  namespace I = SC::internal;
+  const System system = with_equalities(cube(2, 0, 2), {x * x * x + x - 1, y - x});
+  const I::System_layout layout(system);
+  I::Exact_source source(system, layout);
+  const I::Found_roots<double> known;
+  const SC::Solver_options options;
+  SC::Default_solver_visitor visitor;
+  I::Run_control control(visitor, options);
+  SC::Summary summary;
+  I::Precision_ladder ladder(system, layout, source, known, options, control, summary);
+  std::vector<SC::Solution_d<double>> solutions;
+  for (const auto& [lower, upper] : {std::pair(0.6823278, 0.68232781), {0.6823278038, 0.6823278039}, {0.5, 0.50000001}, {0.6823278, 0.68232781}}) {
+    const I::Open_box<double> box{{lower, lower}, {upper, upper}, SC::Undecided_reason::TOLERANCE, {0, 0}};
+    ladder.report(box, I::classified<double>(system, box), solutions);
+  }
+  ASSERT_EQ(solutions.size(), 1u);
+  EXPECT_EQ(solutions[0].kind(), SC::Solution_kind::CERTIFIED);
+  EXPECT_NEAR(solutions[0][0].first, 0.68232780382801933, 1e-15);
 }

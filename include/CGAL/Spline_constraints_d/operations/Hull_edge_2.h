@@ -37,7 +37,7 @@ A part of the boundary of a convex hull, with the hull on its left.
 */
 struct Hull_edge_2
 {
-  Hull_edge_kind kind;    ///< what it is
+  Hull_edge_kind kind;        ///< what it is
   Boundary_vertex_2 source;   ///< where it begins
   Boundary_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
 

@@ -92,7 +92,7 @@ public:
   */
   std::vector<Point> polyline(std::size_t arc, double error) const
   {
-    check(error);
+    internal::check_error(error, "Trimmed_offset_2");
     const Upward_rounding_guard guard;
     std::vector<Point> result;
     for (const std::size_t p : m_pieces_of_arc[arc]) {
@@ -114,16 +114,11 @@ public:
   */
   std::vector<Polygon_with_holes> polygons_with_holes(double error) const
   {
-    check(error);
+    internal::check_error(error, "Trimmed_offset_2");
     return internal::polygons_of_parts<Polygon_with_holes>(m_boundaries, [&](std::size_t b) { return polygon(m_boundaries[b], error); });
   }
 
 private:
-  static void check(double error)
-  {
-    internal::check_error(error, "Trimmed_offset_2");
-  }
-
   static Point middle(const internal::Interval_pair& p)
   {
     return internal::kernel_object<Kernel, Point>(std::array<double, 2>{p[0].inf() / 2 + p[0].sup() / 2, p[1].inf() / 2 + p[1].sup() / 2});

@@ -38,7 +38,7 @@ A part of the boundary of all that is seen from a point, which is on its left.
 */
 struct Visible_edge_2
 {
-  Visible_edge_kind kind;    ///< what it is
+  Visible_edge_kind kind;     ///< what it is
   Boundary_vertex_2 source;   ///< where it begins
   Boundary_vertex_2 target;   ///< where it ends; on the same curve if it is an arc
 

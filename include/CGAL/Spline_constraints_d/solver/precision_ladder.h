@@ -45,7 +45,7 @@ class Precision_ladder
   Summary& m_summary;
   std::size_t m_node_limit;
   std::vector<Multiple_root_search> m_multiple_roots;
-  std::vector<Found_root<Exact_rational>> m_climbed;   // roots that were found on a higher rung, perhaps beside the open box
+  std::vector<Found_root<Exact_rational>> m_climbed;   // roots that were reported, perhaps beside the open box
   // Bounds what is spent on what no precision decides.
   static constexpr std::size_t m_budget = 5000;
   // Boxes where no multiple root was found: after so many, only double roots are looked for.
@@ -117,22 +117,21 @@ private:
     const int multiplicity = search.outcome == Multiple_root_search::MULTIPLE_ROOT ? search.multiplicity : 1;
     const auto is_in_region = [&](const Solution_d<double>& known) { return known.kind() == Solution_kind::CLUSTER && contains(search.region, known.exact_box()); };
     for (std::size_t i = 0; i < roots.size(); ++i)
-      if (positions[i] == Position::INSIDE && (multiplicity > 1 ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(roots[i])))
+      if (positions[i] == Position::INSIDE && (multiplicity > 1 ? std::none_of(solutions.begin(), solutions.end(), is_in_region) : !is_known(found(roots[i]))))
         report(roots[i], multiplicity, solutions);
     m_multiple_roots.push_back(std::move(search));
     return true;
   }
 
-  bool is_known(const Algebraic_root& root) const
-  {
-    return is_known({root.box(), root.region(), Position::INSIDE});
-  }
+  static Found_root<Exact_rational> found(const Algebraic_root& root) { return {root.box(), root.region(), Position::INSIDE}; }
 
   void report(Algebraic_root& root, int multiplicity, std::vector<Solution_d<double>>& solutions)
   {
     const int bits = root.bits_of_width() < Algebraic_root::bits_of_point ? static_cast<int>((std::max)(root.bits_of_width(), 128L)) : 128;
     root.refine(bits);
     const bool is_regular = multiplicity == 1;
+    if (is_regular)
+      m_climbed.push_back(found(root));
     const Solution_kind kind = is_regular ? Solution_kind::CERTIFIED : Solution_kind::CLUSTER;
     solutions.emplace_back(Solution_d<Exact_rational>(kind, root.box(), is_regular ? root.region() : Exact_box(), Number_traits<Number>::name, Undecided_reason::NONE, multiplicity), bits);
   }
@@ -193,13 +192,13 @@ private:
     for (const auto& task : subdivision.pending())
       open.push_back({task.lower, task.upper, reason, task.cell});
     merge_boxes_that_meet(open);
-    std::vector<Solution_d<Exact_rational>> found;
+    std::vector<Solution_d<Exact_rational>> reported;
     for (const auto& root : roots.roots())
       if (!is_known(root)) {
-        report_root<Number>(root, found);
+        report_root<Number>(root, reported);
         m_climbed.push_back(root);
       }
-    for (const auto& solution : found)
+    for (const auto& solution : reported)
       solutions.emplace_back(solution, bits);
     return std::move(open);
   }

@@ -144,8 +144,8 @@ private:
   // Of curves, or of different parts of one curve.
   void add_overlaps(const std::array<std::size_t, 2>& curves, const std::array<Parameter_range, 2>& ranges)
   {
-    const std::vector<Curve_overlap_2> overlaps = overlaps_of_curves(m_curves[curves[0]], m_curves[curves[1]], ranges);
-    m_are_overlaps_proved = m_are_overlaps_proved && !overlaps.empty();
+    const auto [overlaps, are_all_proved] = overlaps_of_curves(m_curves[curves[0]], m_curves[curves[1]], ranges);
+    m_are_overlaps_proved = m_are_overlaps_proved && are_all_proved;
     for (const Curve_overlap_2& overlap : overlaps) {
       if (curves[0] == curves[1] && overlap.parameters[1].first < overlap.parameters[0].second)
         continue;

@@ -33,15 +33,22 @@ class Overlap_of_pieces
 public:
   Overlap_of_pieces(const Spline_patch<2>& first, const Spline_patch<2>& second) : m_first(first), m_second(second) {}
 
-  void append_to(std::vector<Curve_overlap_2>& result) const
+  // Returns whether there is a proof wherever the pieces overlap.
+  bool append_to(std::vector<Curve_overlap_2>& result) const
   {
     Summing_solver solve{Solver_options()};
+    std::vector<Curve_overlap_2> proved;
+    bool are_all_proved = true;
     for (const Common_point& common : common_points<2>(Patch_pair<2>(m_first, m_second), solve))
       if (common.kind == Intersection_kind::OVERLAP && has_extent(common.parameters))
-        if (!append_proved({common.parameters[0], common.parameters[1]}, result)) {
-          append_between_common_ends(result);
-          return;
-        }
+        are_all_proved = append_proved({common.parameters[0], common.parameters[1]}, proved) && are_all_proved;
+    if (!are_all_proved) {
+      proved.clear();
+      append_between_common_ends(proved);
+      are_all_proved = !proved.empty();
+    }
+    result.insert(result.end(), proved.begin(), proved.end());
+    return are_all_proved;
   }
 
 private:
@@ -144,8 +151,14 @@ private:
   static Exact_rational one_half() { return Exact_rational(1) / 2; }
 };
 
-// The proved overlaps of two curves within a range of each.
-inline std::vector<Curve_overlap_2> overlaps_of_curves(const Spline_patch<2>& first, const Spline_patch<2>& second, const std::array<Parameter_range, 2>& ranges)
+// The overlaps of two curves that are known to overlap within a range of each, as far as they are proved.
+struct Overlaps_of_curves
+{
+  std::vector<Curve_overlap_2> overlaps;
+  bool are_all_proved = true;
+};
+
+inline Overlaps_of_curves overlaps_of_curves(const Spline_patch<2>& first, const Spline_patch<2>& second, const std::array<Parameter_range, 2>& ranges)
 {
   const auto pieces = [](const Spline_patch<2>& curve, const Parameter_range& range) {
     const std::vector<Exact_rational> breaks = curve.breaks(0);
@@ -156,9 +169,10 @@ inline std::vector<Curve_overlap_2> overlaps_of_curves(const Spline_patch<2>& fi
     return result;
   };
   const std::vector<Spline_patch<2>> a = pieces(first, ranges[0]), b = pieces(second, ranges[1]);
-  std::vector<Curve_overlap_2> result;
+  Overlaps_of_curves result;
   for (const auto& [i, j] : pairs_with_meeting_boxes(a, b))
-    Overlap_of_pieces(a[i], b[j]).append_to(result);
+    result.are_all_proved = Overlap_of_pieces(a[i], b[j]).append_to(result.overlaps) && result.are_all_proved;
+  result.are_all_proved = result.are_all_proved && !result.overlaps.empty();
   return result;
 }
 

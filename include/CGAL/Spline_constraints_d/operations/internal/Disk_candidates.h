@@ -155,14 +155,14 @@ private:
       candidate.at_middle = m_curvature(middle, candidate.index).value;
       slope = k.du;
     } else {
-      k = m_curvature(part, candidate.index, candidate.range, candidate.jet);
       const double v = candidate.range.middle();
       const Range point{v, v};
       const Curve_jet jet = m_graph.arcs()[candidate.index].jet(point, 2);
+      k = m_curvature(part, candidate.index, candidate.range, candidate.jet, middle, jet);
       const Curvature_bounds center = m_curvature(middle, candidate.index, point, jet);
       const Interval shift_v = candidate.range.interval() - Interval(v);
       candidate.at_middle = center.value;
-      slope = m_curvature(part, candidate.index, point, jet).du;
+      slope = m_curvature(part, candidate.index, point, jet, middle, jet).du;
       k.value = common_part(k.value, center.value + k.du * shift_u + k.dv * shift_v);
       k.dv = common_part(k.dv, center.dv + k.duv * shift_u + k.dvv * shift_v);
     }

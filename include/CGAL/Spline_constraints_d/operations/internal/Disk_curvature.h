@@ -42,13 +42,17 @@ public:
   // Over a part of a front and a range of an arc, with the enclosures of that.
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    Curvature_bounds result = centered(part, arc, range, jet).bounds();
-    if (!front.is_fan && front.object == arc)
-      result = common_part(result, within_arc(part, arc, range));
-    for (const bool is_end : {false, true})
-      at_common_vertex(result, part, front, {arc, is_end}, range);
-    return result;
+    if (part.range.is_number() && range.is_number())
+      return with_common_arc_and_vertices(quotient(part.jet, jet).bounds(), part, arc, range);
+    const double u = part.range.middle(), v = range.middle();
+    return (*this)(part, arc, range, jet, this->part(part.front, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
+  }
+
+  // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both factors where curves are nearly parallel.
+  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  {
+    const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
+    return with_common_arc_and_vertices(quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v).bounds(), part, arc, range);
   }
 
   // The disks that pass through a vertex.
@@ -92,15 +96,15 @@ public:
 private:
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
-  // With mean value forms around the middles of both ranges: <N, Y - X> is small beside both factors where curves are nearly parallel.
-  Curvature_quotient centered(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  // And what is known where the front lies on the arc, or has a vertex in common with it.
+  Curvature_bounds with_common_arc_and_vertices(Curvature_bounds result, const Front_part& part, std::size_t arc, const Range& range) const
   {
-    const Curvature_quotient k = quotient(part.jet, jet);
-    if (part.range.is_number() && range.is_number())
-      return k;
-    const double u = part.range.middle(), v = range.middle();
-    const Curvature_quotient middle = quotient(m_graph.front_jet(m_graph.fronts()[part.front], {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
-    return k.around(middle, part.range.interval() - Interval(u), range.interval() - Interval(v));
+    const Front& front = m_graph.fronts()[part.front];
+    if (!front.is_fan && front.object == arc)
+      result = common_part(result, within_arc(part, arc, range));
+    for (const bool is_end : {false, true})
+      at_common_vertex(result, part, front, {arc, is_end}, range);
+    return result;
   }
 
   static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y)

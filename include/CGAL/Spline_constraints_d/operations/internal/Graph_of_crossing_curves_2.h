@@ -79,7 +79,8 @@ std::vector<Exact_pair> exact_points(const std::vector<CGAL::Point_2<Kernel>>& p
 template <class Concurrency_tag, SplineKernel Kernel>
 std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
 {
-  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact_points(points)), curves, exact_points(points))();
+  const std::vector<Exact_pair> exact = exact_points(points);
+  return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact), curves, exact)();
 }
 
 // The same without cuts at crossings.

@@ -52,7 +52,7 @@ class Hull_boundary_2
   Hull_contacts_2 m_contacts;
   std::vector<Hull_piece_2> m_pieces;
   std::size_t m_halvings_left = 0;                     // of all pieces; in each round where they overlap, all must be halved
-  std::map<Exact_pair, Boundary_vertex_2> m_points;           // whose hull is the polygon
+  std::map<Exact_pair, Boundary_vertex_2> m_points;       // whose hull is the polygon
   std::set<Exact_pair> m_covered;                      // points on pieces that are not ends of these
   std::vector<Exact_pair> m_polygon;                   // counterclockwise, strictly convex; also a segment, or a point
   std::vector<Interval_pair> m_boxes;                  // of its vertices
