@@ -584,8 +584,9 @@ bool add_all()
     for (int n : {2, 3, 4})
       for (int degree = 2; degree <= largest; ++degree)
         add(name + "/dense", run, make_dense(n, degree), degree);
-    for (int degree = 2; degree <= largest; ++degree)
-      add(name + "/curves", run, make_curves(degree), degree);
+    if (run != dense)   // where it may pay
+      for (int degree = 2; degree <= largest; ++degree)
+        add(name + "/curves", run, make_curves(degree), degree);
   }
   return true;
 }
