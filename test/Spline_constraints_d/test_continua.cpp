@@ -41,6 +41,8 @@ void check_segment(const System& system, const Ends& ends, std::size_t roots = 0
   const Solutions solutions = SC::solve(system, options);
   EXPECT_TRUE(solutions.is_complete()) << solutions.summary();
   EXPECT_EQ(solutions.size(), roots + 1);
+  const SC::Summary& summary = solutions.summary();   // of all runs together
+  EXPECT_LE(summary.setup_seconds + summary.rebuild_seconds, summary.seconds);
   EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), roots);
   const auto continua = continua_of(solutions);
   ASSERT_EQ(continua.size(), 1u);

@@ -5,6 +5,8 @@
 
 #include "solver_test_checks.h"
 
+#include <type_traits>
+
 using namespace solver_test;
 
 template <class Policies>
@@ -114,7 +116,6 @@ TEST(Degenerate_contacts, NoRegularRow)
   }
 }
 
-// Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
 // More equalities than unknowns, and Jacobians of corank 2.
 TEST(Degenerate_contacts, OverdeterminedAndCorankTwo)
 {
@@ -127,6 +128,7 @@ TEST(Degenerate_contacts, OverdeterminedAndCorankTwo)
   check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b + c, a * b + c * c, c + a * a * b}), {{{point[0], point[1], fraction(2, 5)}, 4}});
 }
 
+// Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.
 TYPED_TEST(Degenerate_problems, DoubleTangentLines)
 {
   const Polynomial length = 1 + x * x + y * y;
@@ -134,7 +136,7 @@ TYPED_TEST(Degenerate_problems, DoubleTangentLines)
                             {{{0, 1}, 2}, {{0, -1}, 2}, {{1, 0}, 2}, {{-1, 0}, 2}});
 }
 
-// The same for unit directions: irrational, so that it is not decided how many there are, but none is lost.
+// All six for unit directions, each of which is there with its opposite: irrational. They are proved on the precision ladder, which only doubles climb; without it, it is not decided how many there are, but none is lost.
 TYPED_TEST(Degenerate_problems, IrrationalDoubleLines)
 {
   const double h = std::sqrt(0.5);
@@ -147,15 +149,22 @@ TYPED_TEST(Degenerate_problems, IrrationalDoubleLines)
     }
   const System system = with_equalities(cube(3, -1, 1), {x * y * z, x * x * y * y + y * y * z * z + z * z * x * x - fraction(1, 4),
                                                          x * x + y * y + z * z - 1});
-  const auto solutions = solve_with<TypeParam>(system);
-  expect_nothing_lost(known, solutions);
-  EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);
-  for (const auto& solution : solutions) {
-    std::size_t held = 0;
+  if constexpr (std::is_same_v<TypeParam, SC::Certified_solver_traits>) {
+    std::vector<Expected_cluster> clusters;
     for (const Point& point : known)
-      held += meets(solution.box(), point);
-    EXPECT_EQ(held, 1u) << "the boxes are small, and there are no others";
-    EXPECT_EQ(solutions.is_complete(), solutions.count(Solution_kind::UNDECIDED) == 0);
+      clusters.push_back({point, 2});
+    check_clusters<TypeParam>(system, clusters);
+  } else {
+    const auto solutions = solve_with<TypeParam>(system);
+    expect_nothing_lost(known, solutions);
+    EXPECT_EQ(solutions.count(Solution_kind::CERTIFIED), 0u);
+    for (const auto& solution : solutions) {
+      std::size_t held = 0;
+      for (const Point& point : known)
+        held += meets(solution.box(), point);
+      EXPECT_EQ(held, 1u) << "the boxes are small, and there are no others";
+      EXPECT_EQ(solutions.is_complete(), solutions.count(Solution_kind::UNDECIDED) == 0);
+    }
   }
 }
 

@@ -104,6 +104,16 @@ struct Line_bounds
       rest_most = greater(rest_most, rest);
     }
   }
+
+  // Makes the bounds wider by the error of the numbers and, for what was rounded here, by a share of what was added.
+  void widen(const Number& error_of_numbers, double share)
+  {
+    const Number size = greater(magnitude(least), magnitude(most)), error = error_of_numbers + size * share, rest_error = error_of_numbers + (size + magnitude(slope)) * share;
+    least = least - error;
+    most = most + error;
+    rest_least = rest_least - rest_error;
+    rest_most = rest_most + rest_error;
+  }
 };
 
 // The least and the largest difference of neighbours among `count` numbers every `step` places; at least two of them.

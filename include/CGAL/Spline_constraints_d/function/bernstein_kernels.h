@@ -94,9 +94,9 @@ inline void keep_after(Number (&b)[degree + 1], const Mean& mean)
   unroll<degree>([&](auto level) { unroll<degree - level>([&](auto k) { b[k] = mean(b[k], b[k + 1]); }); });
 }
 
-// Calls change(b, position, inner) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`. Two lines that make up a pack, as those of planar curves,
-// have places that are known to the compiler.
-template <int degree, class Change>
+// Calls change(b, position, inner) for the control points of every line along the axis, or of two neighbouring ones, the first of which is at `position`. Two lines that make up a pack (`is_pack`), as those of
+// planar curves, have places that are known to the compiler.
+template <int degree, bool is_pack, class Change>
 BOOST_FORCEINLINE void change_lines(double* data, const Axis_view& view, const Change& change)
 {
   const std::size_t outer = view.outer;
@@ -106,29 +106,29 @@ BOOST_FORCEINLINE void change_lines(double* data, const Axis_view& view, const C
     change(b, position, inner);
     unroll<degree + 1>([&](auto k) { store(data + position + k * inner, b[k]); });
   };
-  if (view.inner == pack_size) {
+  if constexpr (is_pack) {
     for (std::size_t o = 0; o < outer; ++o)
       change_at(Pack(), o * pack_size * (degree + 1), std::integral_constant<std::size_t, pack_size>());
-    return;
-  }
-  const std::size_t inner = view.inner;
-  for (std::size_t o = 0; o < outer; ++o) {
-    std::size_t position = o * inner * (degree + 1);
-    const std::size_t end = position + inner;
-    for (; position + pack_size <= end; position += pack_size)
-      change_at(Pack(), position, inner);
-    for (; position < end; ++position)
-      change_at(0.0, position, inner);
+  } else {
+    const std::size_t inner = view.inner;
+    for (std::size_t o = 0; o < outer; ++o) {
+      std::size_t position = o * inner * (degree + 1);
+      const std::size_t end = position + inner;
+      for (; position + pack_size <= end; position += pack_size)
+        change_at(Pack(), position, inner);
+      for (; position < end; ++position)
+        change_at(0.0, position, inner);
+    }
   }
 }
 
 template <class Mean>
 struct Split_lines
 {
-  template <int degree>
+  template <int degree, bool is_pack>
   static void run(double* data, double* after, const Axis_view& view, Mean mean)
   {
-    change_lines<degree>(data, view, [=](auto& b, std::size_t position, auto inner) {
+    change_lines<degree, is_pack>(data, view, [=](auto& b, std::size_t position, auto inner) {
       keep_before<degree>(b, mean, [=](auto k, const auto& x) { store(after + position + k * inner, x); });
     });
   }
@@ -137,10 +137,10 @@ struct Split_lines
 template <class Mean>
 struct Restrict_lines
 {
-  template <int degree>
+  template <int degree, bool is_pack>
   static void run(double* data, const Axis_view& view, Mean first, Mean second, bool cuts_before, bool cuts_after)
   {
-    change_lines<degree>(data, view, [=](auto& b, std::size_t, auto) {
+    change_lines<degree, is_pack>(data, view, [=](auto& b, std::size_t, auto) {
       if (cuts_before)
         keep_after<degree>(b, first);
       if (cuts_after)
@@ -149,15 +149,16 @@ struct Restrict_lines
   }
 };
 
-// Runs the kernel that was compiled for the degree; false when there is none. They are functions of their own: in one, registers would run out.
+// Runs the kernel that was compiled for the degree of an axis; false when there is none. They are functions of their own: in one, registers would run out, and those for few numbers would save them all.
 template <class Kernel, class... Arguments>
-inline bool run_in_registers(int degree, Arguments&&... arguments)
+inline bool run_in_registers(const Axis_view& view, Arguments&&... arguments)
 {
-  static constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) { return std::array{&Kernel::template run<k + 1>...}; }(
-    std::make_integer_sequence<int, most_degree_in_registers>());
-  if (degree < 1 || degree > most_degree_in_registers)
+  constexpr int most = most_degree_in_registers;
+  static constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) { return std::array{&Kernel::template run<k % most + 1, (k >= most)>...}; }(
+    std::make_integer_sequence<int, 2 * most>());
+  if (view.degree < 1 || view.degree > most)
     return false;
-  kernels[degree - 1](arguments...);
+  kernels[view.degree - 1 + (view.inner == pack_size ? most : 0)](arguments...);
   return true;
 }
 
@@ -165,7 +166,7 @@ template <class NT, class Mean>
 inline void split(NT* data, NT* after, const Axis_view& view, const Mean& mean)
 {
   if constexpr (std::is_same_v<NT, double>)
-    if (run_in_registers<Split_lines<Mean>>(view.degree, data, after, view, mean))
+    if (run_in_registers<Split_lines<Mean>>(view, data, after, view, mean))
       return;
   split_rows(data, after, view, mean);
 }
@@ -211,7 +212,7 @@ inline void restrict_to(NT* data, const Axis_view& view, const NT& t0, const NT&
 {
   const Blend<NT> first(t0), second(inner_t);
   if constexpr (std::is_same_v<NT, double>)
-    if (run_in_registers<Restrict_lines<Blend<NT>>>(view.degree, data, view, first, second, cuts_before, cuts_after))
+    if (run_in_registers<Restrict_lines<Blend<NT>>>(view, data, view, first, second, cuts_before, cuts_after))
       return;
   if (cuts_before)
     keep_after_in_rows(data, view, first);

@@ -123,6 +123,12 @@ struct Pack_round
   }
 };
 
+// Ranges of places, `size` of them from every `distance`-th on.
+struct Ranges
+{
+  std::size_t count, distance, size;
+};
+
 /*
 The least and the largest numbers per function, for so many functions that are interleaved. below(Pack(), begin, i) and above(Pack(), begin, i) are the numbers from place i on of a range
 that begins at `begin`, with the first function, and has a multiple of `members` numbers. Because the last step over a range may take numbers a second time, a range needs `shortest` of them.
@@ -145,14 +151,14 @@ public:
     });
   }
 
-  // Takes the numbers of a range.
+  // Takes the numbers of ranges, the first of which begins at `begin`.
   template <class Below, class Above>
-  void add(std::size_t begin, std::size_t size, const Below& below, const Above& above)
+  void add(std::size_t begin, const Ranges& ranges, const Below& below, const Above& above)
   {
-    if (size >= packs * pack_size)
-      add_steps<packs>(begin, size, below, above);
+    if (ranges.size >= packs * pack_size)
+      add_steps<packs>(begin, ranges, below, above);
     else
-      add_steps<few>(begin, size, below, above);
+      add_steps<few>(begin, ranges, below, above);
   }
 
   // Adds bounds, each less its function's base.
@@ -189,9 +195,10 @@ public:
 
 private:
   template <int count, class Below, class Above>
-  void add_steps(std::size_t begin, std::size_t size, const Below& below, const Above& above)
+  void add_steps(std::size_t begin, const Ranges& ranges, const Below& below, const Above& above)
   {
     constexpr std::size_t step = count * pack_size;
+    const std::size_t size = ranges.size;
     Pack least[count], most[count];   // not behind a pointer
     unroll<count>([&](auto k) {
       least[k] = m_least[k];
@@ -203,22 +210,18 @@ private:
         most[k] = greater(most[k], above(Pack(), begin, i + k * pack_size));
       });
     };
-    std::size_t i = 0;
-    for (; i + step <= size; i += step)
-      add_packs(i);
-    if (i < size)
-      add_packs(size - step);
+    for (std::size_t r = 0; r < ranges.count; ++r, begin += ranges.distance) {
+      std::size_t i = 0;
+      for (; i + step <= size; i += step)
+        add_packs(i);
+      if (i < size)
+        add_packs(size - step);
+    }
     unroll<count>([&](auto k) {
       m_least[k] = least[k];
       m_most[k] = most[k];
     });
   }
-};
-
-// Ranges of places, `size` of them from every `distance`-th on.
-struct Ranges
-{
-  std::size_t count, distance, size;
 };
 
 /*
@@ -233,13 +236,14 @@ inline void bound_ranges(std::size_t functions, const Ranges& ranges, const Belo
   if constexpr (members > 0)
     if (ranges.size >= Pack_bounds<members>::shortest && ranges.count * ranges.size >= Pack_bounds<members>::worthwhile) {
       Pack_bounds<members> bounds;
-      for (std::size_t r = 0; r < ranges.count; ++r)
-        if constexpr (has_base) {
+      if constexpr (has_base)
+        for (std::size_t r = 0; r < ranges.count; ++r) {
           Pack_bounds<members> part;
-          part.add(r * ranges.distance, ranges.size, below, above);
+          part.add(r * ranges.distance, {1, 0, ranges.size}, below, above);
           bounds.add_less(part, base(r));
-        } else
-          bounds.add(r * ranges.distance, ranges.size, below, above);
+        }
+      else
+        bounds.add(0, ranges, below, above);
       bounds.get(lower, upper);
       return;
     }

@@ -93,22 +93,20 @@ bool is_one_half(const NT& parameter)
   }
 }
 
-// Calls no library function for few numbers, as are those of most nodes of curves: the call would cost more than they do.
-template <class T>
-void copy_numbers(const T* from, std::size_t count, T* to)
+// Few numbers, as are those of most nodes of curves, are copied in whole steps, some behind the last one too, and without a call of a library function: it would cost more than they do.
+constexpr std::size_t copied_at_a_time = 4 * pack_size;
+
+template <class NT>
+void copy_with_some_behind(const NT* from, std::size_t count, NT* to)
 {
   constexpr std::size_t few = 64;
-  if (count > few || !std::is_arithmetic_v<T>)
-    std::copy_n(from, count, to);
-  else if constexpr (std::is_same_v<T, double>) {
-    constexpr std::size_t step = 4 * pack_size;
-    for (; count >= step; count -= step, from += step, to += step)
-      unroll<4>([=](auto k) { store(to + k * pack_size, load(Pack(), from + k * pack_size)); });
-    for_each_place(count, [=](auto type, std::size_t i) { store(to + i, load(type, from + i)); });
-  }
-  else
-    for (std::size_t i = 0; i < count; ++i)
-      to[i] = from[i];
+  if constexpr (std::is_same_v<NT, double>)
+    if (count <= few) {
+      for (const double* const end = from + count; from < end; from += copied_at_a_time, to += copied_at_a_time)
+        unroll<copied_at_a_time / pack_size>([=](auto k) { store(to + k * pack_size, load(Pack(), from + k * pack_size)); });
+      return;
+    }
+  std::copy_n(from, count, to);
 }
 
 /*
@@ -127,7 +125,7 @@ public:
 private:
   static constexpr bool has_errors = std::is_same_v<NT, double>;
 
-  std::vector<NT> m_numbers;      // the coefficients; of doubles, also their bounds, so that what a split leaves alone lies together
+  std::vector<NT> m_numbers;      // the coefficients; of doubles, also their bounds, so that what a split leaves alone lies together, and some places to copy beyond the end
   std::vector<double> m_bounds;   // of other number types
   std::size_t m_size = 0, m_errors = 0;
 
@@ -136,7 +134,7 @@ public:
   {
     m_size = layout.size;
     m_errors = layout.errors;
-    m_numbers.assign(m_size + (has_errors ? 2 * m_errors : 0), NT(0));
+    m_numbers.assign(m_size + (has_errors ? 2 * m_errors + copied_at_a_time : 0), NT(0));
     m_bounds.assign(has_errors ? 0 : 2 * m_errors, 0);
     scale.assign(layout.functions, 0);
     lower.resize(layout.dimension);
@@ -167,7 +165,7 @@ public:
 
   void copy_from(const Box_node& other)
   {
-    copy_places({0, other.m_numbers.size()}, other);
+    copy_places({0, m_size + 2 * m_errors}, other);
     copy_box(other);
   }
 
@@ -181,12 +179,12 @@ private:
       return node.m_bounds.data();
   }
 
-  // As far as there are such places: bounds lie behind the coefficients only of doubles.
+  // As far as there are such places: bounds lie behind the coefficients only of doubles. Some places behind them are copied as well.
   void copy_places(const Place_range& range, const Box_node& other)
   {
     const std::size_t end = has_errors ? range.end : (std::min)(range.end, m_size);
     if (range.begin < end)
-      copy_numbers(other.m_numbers.data() + range.begin, end - range.begin, m_numbers.data() + range.begin);
+      copy_with_some_behind(other.m_numbers.data() + range.begin, end - range.begin, m_numbers.data() + range.begin);
   }
 
   // One by one: an end that was set just now is not yet there for who reads two at a time.
@@ -206,11 +204,12 @@ private:
   differences, off by 3 u, and moves a coefficient by at most 2 d M times that: together 9 d u M. Inside the box |s| + |t| = 1; beyond it each
   level grows by `growth`. Underflow adds less than the 2^-1000 that every error starts with.
   */
-  void add_error(const Block& block, int degree, int cuts, double growth)
+  void add_error(const Block_axis& block, int cuts, double growth)
   {
+    const int degree = block.view.degree;
     const double power = growth == 1 ? 1 : std::pow(growth, degree) * (1 + 0x1p-40), relative = 10 * cuts * degree * 0x1p-52;
     double *error = errors().data() + block.first_error, *size = sizes().data() + block.first_error;
-    for_each_place(block.functions.size(), [=](auto type, std::size_t m) {
+    for_each_place(block.functions, [=](auto type, std::size_t m) {
       const auto grown_error = load(type, error + m) * power, grown_size = load(type, size + m) * power;
       store(size + m, grown_size);
       store(error + m, grown_error + (grown_size + grown_error) * relative);
@@ -223,21 +222,21 @@ void Box_node<NT>::split(const System_layout& layout, int axis, double t, Box_no
 {
   const Coordinate cut = place_between(lower[axis], upper[axis], t);
   const NT parameter = local_parameter<NT>(lower[axis], upper[axis], cut);
-  for (const Block_axis& affected : layout.blocks_of_axis[axis]) {
-    const Block& block = layout.blocks[affected.block];
-    NT *data = m_numbers.data() + block.offset, *after = above.m_numbers.data() + block.offset;
-    if (is_one_half(parameter))
-      split_at_one_half(data, after, affected.view);
-    else
-      split_at(data, after, affected.view, parameter);
-    if constexpr (has_errors)
-      add_error(block, affected.view.degree, 1, 1);
-  }
-  for (const Place_range& range : layout.ranges_without_axis[axis])
+  if constexpr (has_errors)
+    for (const Block_axis& affected : layout.blocks_of_axis[axis])
+      add_error(affected, 1, 1);
+  for (const Place_range& range : layout.ranges_without_axis[axis])   // before the blocks that may lie behind
     above.copy_places(range, *this);
   above.copy_box(*this);
   upper[axis] = cut;
   above.lower[axis] = cut;
+  const bool is_middle = is_one_half(parameter);
+  NT *data = m_numbers.data(), *after = above.m_numbers.data();
+  for (const Block_axis& affected : layout.blocks_of_axis[axis])
+    if (is_middle)
+      split_at_one_half(data + affected.offset, after + affected.offset, affected.view);
+    else
+      split_at(data + affected.offset, after + affected.offset, affected.view, parameter);
 }
 
 template <class NT>
@@ -255,10 +254,9 @@ void Box_node<NT>::restrict_axis(const System_layout& layout, int axis, const Co
       growth = first * second * (1 + 0x1p-40);
     }
   for (const Block_axis& affected : layout.blocks_of_axis[axis]) {
-    const Block& block = layout.blocks[affected.block];
-    internal::restrict_to(m_numbers.data() + block.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
+    internal::restrict_to(m_numbers.data() + affected.offset, affected.view, t0, inner_t, cuts_before, cuts_after);
     if constexpr (has_errors)
-      add_error(block, affected.view.degree, (cuts_before ? 1 : 0) + (cuts_after ? 1 : 0), growth);
+      add_error(affected, (cuts_before ? 1 : 0) + (cuts_after ? 1 : 0), growth);
   }
   lower[axis] = new_lower;
   upper[axis] = new_upper;

@@ -57,6 +57,7 @@ class Node_view
   static constexpr int most_axes_of_small = 4;   // as measured: enclose_small_block() is faster up to here
   static constexpr std::size_t most_coefficients_of_small = 1000;
   std::vector<Plan> m_plans;
+  void (Node_view::*m_bound_sum_of_lines)() = nullptr;   // where all blocks are lines that hold all functions
   std::vector<double> m_greville, m_layer_scales, m_storage;   // all of the following lies in one piece
 
   std::span<double> m_block_lower, m_block_upper;            // per block and function
@@ -147,8 +148,12 @@ private:
   void enclose_small_block(const internal::Block& block, const Plan& plan);
   template <int members>
   void enclose_block(const internal::Block& block, const Plan& plan);
+  template <class Number>
+  internal::Line_bounds<Number> bound_line_at(const internal::Block& block, const Plan& plan, std::size_t m, std::size_t functions);
   template <int members>
   void bound_line(const internal::Block& block, const Plan& plan);
+  template <int members>
+  void bound_sum_of_lines();
   template <int members>
   void compute_slopes(const internal::Block& block);
   template <int members>
@@ -213,6 +218,9 @@ inline Node_view::Node_view(const internal::System_layout& layout)
   m_derivative_lower = m_derivatives.first(entries);
   m_derivative_upper = m_derivatives.last(entries);
   m_index.resize(layout.dimension);
+  if (!layout.blocks.empty() &&
+      std::all_of(layout.blocks.begin(), layout.blocks.end(), [&](const internal::Block& block) { return is_line(block) && block.functions.size() == functions; }))
+    m_bound_sum_of_lines = functions == internal::pack_size ? &Node_view::bound_sum_of_lines<internal::pack_size> : &Node_view::bound_sum_of_lines<0>;
 }
 
 inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
@@ -232,6 +240,8 @@ inline void Node_view::choose_passes(const internal::Block& block, Plan& plan)
 inline void Node_view::bound_blocks()
 {
   m_has_bounds = true;
+  if (m_bound_sum_of_lines != nullptr)
+    return (this->*m_bound_sum_of_lines)();
   std::fill(m_hull.begin(), m_hull.end(), 0.0);
   for (std::size_t b = 0; b < m_plans.size(); ++b) {
     const internal::Block& block = m_layout->blocks[b];
@@ -261,42 +271,14 @@ void Node_view::bound_block(const internal::Block& block, const Plan& plan)
   }
 }
 
-// Along a line, what the affine enclosure needs comes with the bounds.
-template <int members>
-void Node_view::bound_line(const internal::Block& block, const Plan& plan)
-{
-  const std::size_t functions = functions_of<members>(block), count = block.points, entry = block.first_error;
-  const double *data = m_coefficients + block.offset, *greville = m_greville.data() + plan.greville;
-  internal::for_each_place(functions, [&](auto type, std::size_t m) {
-    const internal::Line_bounds<decltype(type)> line(data + m, count, functions, greville);
-    const auto size = internal::greater(internal::magnitude(line.least), internal::magnitude(line.most)), given = internal::load(type, m_errors + entry + m);
-    const auto error = given + size * internal::analysis_error, rest_error = given + (size + internal::magnitude(line.slope)) * internal::analysis_error;
-    internal::store(m_block_lower.data() + entry + m, line.least - error);
-    internal::store(m_block_upper.data() + entry + m, line.most + error);
-    internal::store(m_line_slopes.data() + entry + m, line.slope);
-    internal::store(m_line_rest_lower.data() + entry + m, line.rest_least - rest_error);
-    internal::store(m_line_rest_upper.data() + entry + m, line.rest_most + rest_error);
-  });
-}
-
 inline void Node_view::enclose_blocks()
 {
   compute_bounds();
   m_has_affine = true;
-  std::fill(m_affine.begin(), m_affine.end(), 0.0);
+  const auto sums = m_bound_sum_of_lines != nullptr ? m_slopes : m_affine;   // of lines, the rest is there
+  std::fill(sums.begin(), sums.end(), 0.0);
   for (std::size_t b = 0; b < m_plans.size(); ++b)
     (this->*m_plans[b].enclose)(m_layout->blocks[b], m_plans[b]);
-}
-
-inline void Node_view::enclose_line(const internal::Block& block, const Plan&)
-{
-  for (std::size_t m = 0, functions = block.functions.size(); m < functions; ++m) {
-    const std::size_t f = block.functions[m], entry = block.first_error + m;
-    if (!block.axes.empty())
-      m_slopes[f * m_layout->dimension + block.axes[0]] += m_line_slopes[entry];
-    m_rest_lower[f] += m_line_rest_lower[entry];
-    m_rest_upper[f] += m_line_rest_upper[entry];
-  }
 }
 
 // Adds what is known of a block to the functions.
@@ -439,17 +421,6 @@ void Node_view::bound_differences(const internal::Block& block, std::size_t axis
   add_derivatives(block, axis);
 }
 
-inline void Node_view::bound_differences_of_line(const internal::Block& block, std::size_t axis)
-{
-  const std::size_t functions = block.functions.size();
-  internal::for_each_place(functions, [&](auto type, std::size_t m) {
-    const auto [least, most] = internal::bound_differences<decltype(type)>(m_coefficients + block.offset + m, block.points, functions);
-    internal::store(m_block_rest_lower.data() + m, least);
-    internal::store(m_block_rest_upper.data() + m, most);
-  });
-  add_derivatives(block, axis);
-}
-
 // Adds the bounds of the differences along an axis to the derivatives of the functions.
 inline void Node_view::add_derivatives(const internal::Block& block, std::size_t axis)
 {
@@ -496,5 +467,7 @@ void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
 
 } // namespace Spline_constraints
 } // namespace CGAL
+
+#include <CGAL/Spline_constraints_d/solver/internal/Node_view_impl.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H

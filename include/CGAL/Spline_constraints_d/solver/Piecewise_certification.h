@@ -103,8 +103,7 @@ private:
       const double* inverse = region.inverse.data() + j * n;
       for (std::size_t c = 0; c < m_lower.size(); c += n * n) {
         contraction_row(
-          n, n, j, inverse, [&](int i, int k) { return m_lower[c + i * n + k]; }, [&](int i, int k) { return m_upper[c + i * n + k]; },
-          m_work.data());
+          n, n, j, inverse, [&](int i, int k) { return Derivative_range(m_lower[c + i * n + k], m_upper[c + i * n + k]); }, m_work.data());
         for (int k = 0; k < n; ++k) {
           if (!(m_work[k] < HUGE_VAL))
             return false;   // an overflow bounds nothing, and maxima would lose a NaN

@@ -51,12 +51,13 @@ struct Block
   }
 };
 
-// A block seen along one of its axes.
+// A block seen along one of its axes, with what a cut needs to know of it.
 struct Block_axis
 {
   std::size_t block;
   std::size_t position;   // of the unknown among the axes of the block
   Axis_view view;
+  std::size_t offset, first_error, functions;
 };
 
 // Places of the array, from `begin` on and before `end`.
@@ -199,7 +200,7 @@ inline void System_layout::place_blocks()
     size += blocks[b].size();
     errors += blocks[b].functions.size();
     for (std::size_t j = 0; j < blocks[b].axes.size(); ++j)
-      blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j)});
+      blocks_of_axis[blocks[b].axes[j]].push_back({b, j, blocks[b].view(j), blocks[b].offset, blocks[b].first_error, blocks[b].functions.size()});
     for (int axis = 0; axis < dimension; ++axis)
       if (!std::binary_search(blocks[b].axes.begin(), blocks[b].axes.end(), axis))
         append_range(ranges_without_axis[axis], {blocks[b].offset, size});

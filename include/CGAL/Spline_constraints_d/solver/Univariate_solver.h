@@ -38,6 +38,7 @@ class Univariate_solver
   };
 
   const Constraint_system_d& m_system;
+  double m_start;   // on the clock of the control
   Univariate_walk m_walk;
   std::vector<Univariate_cell> m_cells;
   std::vector<Cell_answers> m_found;          // per cell
@@ -45,9 +46,9 @@ class Univariate_solver
 
 public:
   Univariate_solver(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
-    : m_system(system), m_walk(options, control, summary), m_cells(univariate_cells(system))
+    : m_system(system), m_start(control.seconds()), m_walk(options, control, summary), m_cells(univariate_cells(system))
   {
-    summary.setup_seconds = control.seconds();
+    summary.setup_seconds = control.seconds() - m_start;
   }
 
   std::vector<Solution> solve()

@@ -91,6 +91,7 @@ class All_solutions
   const Solver_options& m_options;
   Run_control& m_control;
   Summary& m_summary;
+  double m_start = m_control.seconds();   // of this run: one for each factor of the equalities shares the control
   System_layout m_layout;
   Subdivision_walk<Traits, Concurrency_tag> m_walk;
   std::vector<Solution> m_solutions;
@@ -99,7 +100,7 @@ public:
   All_solutions(const Constraint_system_d& system, const Solver_options& options, Run_control& control, Summary& summary)
     : m_system(system), m_options(options), m_control(control), m_summary(summary), m_layout(system), m_walk(system, m_layout, options, control)
   {
-    summary.setup_seconds = control.seconds();
+    summary.setup_seconds = control.seconds() - m_start;
     m_walk.run();
     m_walk.look_again([&](const auto& box) { return !is_small(box) || !rational_solution_in(system, box).empty(); });
     m_walk.add_to(summary);

@@ -77,12 +77,21 @@ inline bool invert(int size, std::vector<double>& work, std::vector<double>& inv
   return is_regular;
 }
 
+// What a bound on products needs of the range of a derivative.
+struct Derivative_range
+{
+  double middle, radius, size;
+
+  Derivative_range() = default;
+  Derivative_range(double lower, double upper) : middle(0.5 * (lower + upper)), radius(0.5 * (upper - lower)), size(std::abs(lower) + std::abs(upper)) {}
+};
+
 /*
-Row j of a bound on |I - C J|, for a row of C and derivative bounds `lower(i, k)`, `upper(i, k)` of m functions by n unknowns: fills n entries and returns
+Row j of a bound on |I - C J|, for a row of C and the ranges `range(i, k)` of the derivatives of m functions by n unknowns: fills n entries and returns
 their sum, in any rounding mode.
 */
-template <class Lower, class Upper>
-BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Lower& lower, const Upper& upper, double* entries)
+template <class Range>
+BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inverse, const Range& range, double* entries)
 {
   double sum = 0;
   for (int k = 0; k < n; ++k) {
@@ -90,10 +99,10 @@ BOOST_FORCEINLINE double contraction_row(int n, int m, int j, const double* inve
     for (int i = 0; i < m; ++i) {
       if (inverse[i] == 0)
         continue;
-      const double lo = lower(i, k), hi = upper(i, k);
-      middle -= inverse[i] * (0.5 * (lo + hi));
-      radius += std::abs(inverse[i]) * (0.5 * (hi - lo));
-      size += std::abs(inverse[i]) * (std::abs(lo) + std::abs(hi));
+      const Derivative_range& derivative = range(i, k);
+      middle -= inverse[i] * derivative.middle;
+      radius += std::abs(inverse[i]) * derivative.radius;
+      size += std::abs(inverse[i]) * derivative.size;
     }
     entries[k] = std::abs(middle) + radius + 0x1p-44 * size;   // also covers the additions below
     sum += entries[k];

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -31,12 +32,18 @@ inline double contraction_bound(Node_view& node, const Linear_enclosure& linear,
   double largest = 0;
   internal::run_with_constant<4>(node.equalities() == node.dimension() ? node.dimension() : 0, [&](auto size) {
     const int n = size > 0 ? size : node.dimension(), m = size > 0 ? size : node.equalities();
-    for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
-      const double sum = internal::contraction_row(
-        n, m, j, linear.inverse_row(j), [&](int i, int k) { return lower[i * n + k]; }, [&](int i, int k) { return upper[i * n + k]; },
-        bounds.data() + j * n);
-      largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
-    }
+    const auto bound_rows = [&](const auto& range) {
+      for (int j = 0; j < n && largest < HUGE_VAL; ++j) {
+        const double sum = internal::contraction_row(n, m, j, linear.inverse_row(j), range, bounds.data() + j * n);
+        largest = sum <= largest ? largest : sum < HUGE_VAL ? sum : HUGE_VAL;
+      }
+    };
+    if constexpr (size > 0) {   // once for all rows
+      std::array<internal::Derivative_range, size * size> ranges;
+      internal::unroll<size * size>([&](auto entry) { ranges[entry] = {lower[entry], upper[entry]}; });
+      bound_rows([&](int i, int k) -> const internal::Derivative_range& { return ranges[i * n + k]; });
+    } else
+      bound_rows([&](int i, int k) { return internal::Derivative_range(lower[i * n + k], upper[i * n + k]); });
   });
   return largest;
 }
