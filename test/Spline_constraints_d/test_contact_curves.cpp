@@ -171,6 +171,10 @@ TEST(Contact_curves, motions_and_knots_change_nothing)
     expect_curves(cylinder.transformed(moved), K::Sphere_3(Point(0, 0, 0), 1).orthogonal_transform(moved), 1, 0, 1);
   }
   expect_circle(expect_curves(torus.with_knot(0, Rational(1, 3)).with_knot(1, Rational(4, 3)), top, 1, 0, 1), 3, 1);
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, Rational(1, 3)), 1);
+  for (int k = 1; k <= 3; ++k)
+    expect_curves(cylinder.transformed(motion(k)), sphere.transformed(motion(k)), 1, 0, 1);
+  expect_curves(torus.transformed(motion(2)), board(-1, 5, 1).transformed(motion(2)), 0, 1, 1);
 }
 
 // The coordinates in a frame that is turned.
