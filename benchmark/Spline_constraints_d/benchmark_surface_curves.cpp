@@ -1,15 +1,17 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves on one surface: silhouettes, parabolic lines, plane sections, boundaries of what a tool reaches, silhouettes of sweeps, self-intersections.
+// Curves on one surface: silhouettes, parabolic lines, umbilics, plane sections, boundaries of what a tool reaches, silhouettes of sweeps, self-intersections, and curves along which two surfaces touch.
 
 #include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
 #include <CGAL/Spline_constraints_d/operations/accessibility.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/parabolic_lines.h>
 #include <CGAL/Spline_constraints_d/operations/plane_sections.h>
 #include <CGAL/Spline_constraints_d/operations/self_intersection_curves.h>
 #include <CGAL/Spline_constraints_d/operations/silhouettes.h>
 #include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
+#include <CGAL/Spline_constraints_d/operations/umbilics.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -59,6 +61,20 @@ void curves(benchmark::State& state, const Operation& operation)
   state.counters["complete"] = is_complete;
 }
 
+void umbilics_of_landscape(benchmark::State& state)
+{
+  const Surface surface = landscape(3, static_cast<int>(state.range(0)), 3);
+  std::size_t count = 0;
+  bool is_complete = true;
+  for (auto _ : state) {
+    const auto found = SC::umbilics(surface);
+    count = found.points.size();
+    is_complete = found.is_complete();
+  }
+  state.counters["points"] = static_cast<double>(count);
+  state.counters["complete"] = is_complete;
+}
+
 const Surface torus = SC::torus_surface<K>(Point(0, 0, 0), 3, 1), ball = SC::sphere_surface<K>(Point(1, 0.25, 4), Point(1.5, 0.75, 4.75));
 const auto torus_silhouettes = [] { return SC::silhouettes(torus, Vector(1, 2, 3)); };
 const auto torus_seen_from_near = [] { return SC::silhouettes(torus, Point(10, 3, 2)); };
@@ -98,6 +114,25 @@ const auto pocket_of_four_pieces_with_itself = [] { return SC::self_intersection
 const auto turned_loop_with_itself = [] { return SC::self_intersection_curves(turned_loop()); };
 const auto torus_with_itself = [] { return SC::self_intersection_curves(torus); };
 
+const auto torus_on_plane = [] { return SC::intersection_curves(torus, K::Plane_3(0, 0, 1, -1)); };
+const auto ball_in_tube = [] { return SC::intersection_curves(SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(1, 0, -3)), SC::sphere_surface<K>(Point(0, 0, 0.25), 1)); };
+const auto torus_on_board = [] { return SC::intersection_curves(torus, SC::bilinear_surface<K>(Point(-5, -1, 1), Point(-5, 5, 1), Point(6, -1, 1), Point(6, 5, 1))); };
+
+// x^2 + y^2 = 1 with a sphere, and x^2 + y^2 = 4 with a torus; turned by rational cosines.
+auto implicit_contact(bool with_torus, bool is_turned)
+{
+  auto [x, y, z] = SC::unknowns({-5, 5.125}, {-5, 5.25}, {-5, 5.5});
+  const SC::Expression u = is_turned ? (5 * x + 12 * y) / 13 : SC::Expression(x), v = is_turned ? (5 * y - 12 * x) / 13 : SC::Expression(y), w = is_turned ? (4 * z - 3 * v) / 5 : SC::Expression(z);
+  const SC::Expression square_of_distance = u * u + (is_turned ? square((4 * v + 3 * z) / 5) : v * v), all = square_of_distance + w * w;
+  return with_torus ? SC::intersection_curves(SC::Implicit_surface_3(square(all + 8) == 36 * square_of_distance), SC::Implicit_surface_3(square_of_distance == 4))
+                    : SC::intersection_curves(SC::Implicit_surface_3(all == 1), SC::Implicit_surface_3(square_of_distance == 1));
+}
+
+const auto implicit_ball_in_tube = [] { return implicit_contact(false, false); };
+const auto turned_implicit_ball_in_tube = [] { return implicit_contact(false, true); };
+const auto implicit_torus_around_tube = [] { return implicit_contact(true, false); };
+const auto turned_implicit_torus_around_tube = [] { return implicit_contact(true, true); };
+
 } // namespace
 
 BENCHMARK_CAPTURE(curves, torus_silhouettes, torus_silhouettes)->Unit(benchmark::kMillisecond);
@@ -115,3 +150,11 @@ BENCHMARK_CAPTURE(curves, pocket_with_itself, pocket_with_itself)->Unit(benchmar
 BENCHMARK_CAPTURE(curves, pocket_of_four_pieces_with_itself, pocket_of_four_pieces_with_itself)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, turned_loop_with_itself, turned_loop_with_itself)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(curves, torus_with_itself, torus_with_itself)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, torus_on_plane, torus_on_plane)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, ball_in_tube, ball_in_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, torus_on_board, torus_on_board)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, implicit_ball_in_tube, implicit_ball_in_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, turned_implicit_ball_in_tube, turned_implicit_ball_in_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, implicit_torus_around_tube, implicit_torus_around_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(curves, turned_implicit_torus_around_tube, turned_implicit_torus_around_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK(umbilics_of_landscape)->ArgName("pieces")->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond);

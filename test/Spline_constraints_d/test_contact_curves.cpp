@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curves along which two surfaces touch: planes, spheres, cylinders, cones and tori with known circles and lines, on pieces, breaks and seams; their kinds, also of curves that cross.
+// Curves along which two surfaces touch: planes, spheres, cylinders, cones and tori with known circles and lines, on pieces, breaks and seams, parametric and implicit; their kinds, also of curves that cross.
 
 #include "surface_test_names.h"
 
@@ -171,6 +171,68 @@ TEST(Contact_curves, motions_and_knots_change_nothing)
     expect_curves(cylinder.transformed(moved), K::Sphere_3(Point(0, 0, 0), 1).orthogonal_transform(moved), 1, 0, 1);
   }
   expect_circle(expect_curves(torus.with_knot(0, Rational(1, 3)).with_knot(1, Rational(4, 3)), top, 1, 0, 1), 3, 1);
+  const Surface sphere = SC::sphere_surface<K>(Point(0, 0, Rational(1, 3)), 1);
+  for (int k = 1; k <= 3; ++k)
+    expect_curves(cylinder.transformed(motion(k)), sphere.transformed(motion(k)), 1, 0, 1);
+  expect_curves(torus.transformed(motion(2)), board(-1, 5, 1).transformed(motion(2)), 0, 1, 1);
+}
+
+// The coordinates in a frame that is turned.
+std::array<SC::Expression, 3> turned_coordinates(int k)
+{
+  auto [x, y, z] = SC::unknowns({-5, Rational(41, 8)}, {-5, Rational(43, 8)}, {-5, Rational(47, 8)});
+  const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
+  const SC::Expression u = c * x + s * y, v = c * y - s * x;
+  return {u, c * v + s * z, c * z - s * v};
+}
+
+template <class A, class B>
+void expect_implicit_contacts(const A& a, const B& b, std::size_t closed, std::size_t open, int multiplicity)
+{
+  const auto set = SC::intersection_curves(a, b);
+  EXPECT_TRUE(set.is_complete()) << set;
+  EXPECT_EQ(set.number_of_closed_curves(), closed);
+  EXPECT_EQ(set.number_of_open_curves(), open);
+  EXPECT_TRUE(set.singular_points().empty());
+  for (const SC::Intersection_curve& curve : set.curves()) {
+    EXPECT_EQ(curve.multiplicity, multiplicity);
+    EXPECT_GT(set.polyline(curve, 1e-1).size(), 2u);
+  }
+}
+
+TEST(Contact_curves, implicit_surfaces)
+{
+  for (const int k : {0, 2}) {
+    const auto [x, y, z] = turned_coordinates(k);
+    const SC::Expression q = x * x + y * y;
+    const SC::Implicit_surface_3 sphere(q + z * z == 1), tube(q == 1), cone(z * z == 3 * q);
+    expect_implicit_contacts(sphere, tube, 1, 0, 2);
+    expect_implicit_contacts(tube, SC::Implicit_surface_3(q == z * z + 1), 1, 0, 2);
+    expect_implicit_contacts(cone, SC::Implicit_surface_3(q + square(z - 2) == 1), 1, 0, 2);
+    expect_implicit_contacts(SC::Implicit_surface_3(q == 2 * z), SC::Implicit_surface_3(q + square(z - 3) == 5), 1, 0, 2);
+    expect_implicit_contacts(tube, SC::Implicit_surface_3(square(x - 2) + y * y == 1), 0, 1, 2);   // along a line
+    expect_implicit_contacts(sphere, SC::Implicit_surface_3(q == Rational(99, 100)), 2, 0, 1);
+    expect_implicit_contacts(sphere, SC::Implicit_surface_3(q == Rational(101, 100)), 0, 0, 0);
+    const SC::Implicit_surface_3 ring(square(q + z * z + 8) == 36 * q);
+    expect_implicit_contacts(ring, SC::Implicit_surface_3(z == 1), 1, 0, 2);
+    expect_implicit_contacts(ring, SC::Implicit_surface_3(q + z * z == 16), 1, 0, 2);
+    if (k == 0) {
+      expect_implicit_contacts(ring, SC::Implicit_surface_3(q == 4), 1, 0, 2);
+      expect_implicit_contacts(SC::Implicit_surface_3(z == pow(q - 1, 3)), SC::Implicit_surface_3(z == 0), 1, 0, 3);
+    }
+  }
+}
+
+// A contact along a circle, which a transversal line crosses: two arcs, and three parts of the line.
+TEST(Contact_curves, of_implicit_surfaces_that_cross_as_well)
+{
+  auto [x, y, z] = SC::unknowns({-2, 2}, {-2, Rational(33, 16)}, {-2, 2});
+  const SC::Expression circle = x * x + y * y - 1;
+  const auto set = SC::intersection_curves(SC::Implicit_surface_3(z == 0), SC::Implicit_surface_3(z == circle * circle * (x - Rational(3, 5))));
+  EXPECT_TRUE(set.is_complete()) << set;
+  EXPECT_EQ(set.singular_points().size(), 2u);
+  EXPECT_EQ(set.curves().size(), 5u);
+  EXPECT_EQ(set.number_of_contact_curves(), 2u);
 }
 
 // A plane that touches a parabolic cylinder of random pieces in its vertex line, and crosses it elsewhere.

@@ -411,10 +411,14 @@ TEST(Intersection_curves, what_is_not_proved_is_undecided)
   EXPECT_FALSE(same.is_complete());
   EXPECT_FALSE(same.undecided().empty());
   auto [x, y, z] = SC::unknowns({-2, 2}, {-2, 2}, {-2, 2});
-  const auto along_circle = SC::intersection_curves(SC::Implicit_surface_3(x * x + y * y == 1), K::Sphere_3(Point(0, 0, 0), 1), {.tolerance = 1e-2});
-  EXPECT_FALSE(along_circle.is_complete());
-  EXPECT_FALSE(along_circle.undecided().empty());
-  EXPECT_EQ(along_circle.undecided()[0].kind(), SC::Intersection_kind::UNDECIDED);
+  const SC::Implicit_surface_3 cone(z * z == x * y), other(z * z == x * x + x);   // they touch along the axis of y, and have a conic that crosses it in common
+  const auto along_line = SC::intersection_curves(cone, other, {.tolerance = 1e-2});
+  EXPECT_FALSE(along_line.is_complete());
+  ASSERT_FALSE(along_line.undecided().empty());
+  EXPECT_EQ(along_line.undecided()[0].kind(), SC::Intersection_kind::UNDECIDED);
+  const auto along_circle = SC::intersection_curves(SC::Implicit_surface_3(x * x + y * y == 1), K::Sphere_3(Point(0, 0, 0), 1));
+  EXPECT_TRUE(along_circle.is_complete());
+  EXPECT_EQ(along_circle.number_of_contact_curves(), 1u);
 }
 
 TEST(Intersection_curves, bad_input)

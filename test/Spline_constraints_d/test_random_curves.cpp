@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -56,6 +57,19 @@ public:
     for (const std::size_t branch : m_fibers.back())
       ++m_ends[branch];
     return counted();
+  }
+
+  // Where the curves meet the sides of the square. \pre The sweep has a result.
+  std::vector<std::array<double, 2>> boundary_points() const
+  {
+    std::vector<std::array<double, 2>> result;
+    for (const Event& event : m_events)
+      if (std::abs(event.y) == 1)
+        result.push_back({event.x, event.y});
+    for (const double x : {-1.0, 1.0})
+      for (const double y : roots_at(x))
+        result.push_back({x, y});
+    return result;
   }
 
 private:
@@ -188,13 +202,29 @@ Power_polynomial random_ovals(std::mt19937& random)
 
 } // namespace
 
-TEST(Random_curves, numbers_of_curves_in_three_unknowns)
+// Each of these points in the plane is below or above one end of an open curve, and there are no other ends.
+void expect_ends(const SC::Curve_solution_set_d& set, const std::vector<std::array<double, 2>>& expected)
+{
+  std::vector<std::array<double, 2>> ends;
+  for (const SC::Solution_curve& curve : set.curves())
+    if (!curve.is_closed)
+      for (const std::size_t i : {curve.pieces.front().ends[0], curve.pieces.back().ends[1]}) {
+        const std::vector<double> point = set.vertices()[i].point();
+        ends.push_back({point[0], point[1]});
+      }
+  ASSERT_EQ(ends.size(), expected.size());
+  for (const auto& [x, y] : expected)
+    EXPECT_EQ(std::count_if(ends.begin(), ends.end(), [x = x, y = y](const auto& end) { return std::hypot(end[0] - x, end[1] - y) < 1e-9; }), 1);
+}
+
+TEST(Random_curves, numbers_and_ends_of_curves_in_three_unknowns)
 {
   std::mt19937 random(2026);
   std::size_t compared = 0, closed = 0, open = 0;
   for (int trial = 0; trial < 540 && compared < 500; ++trial) {
     const Power_polynomial f = trial % 3 == 0 ? random_ovals(random) : random_polynomial(2 + trial % 3, 30, random), q = random_polynomial(2, 3, random);
-    const std::optional<Counts> expected = Sweep(f)();
+    Sweep sweep(f);
+    const std::optional<Counts> expected = sweep();
     if (!expected)
       continue;
     ++compared;
@@ -206,6 +236,7 @@ TEST(Random_curves, numbers_of_curves_in_three_unknowns)
     system.add(lift + Power_polynomial(Rational(1, 8)) * (f + x * lift), SC::Relation::EQUAL);
     const auto set = SC::solve_curves(system);
     expect_curves(set, expected->closed, expected->open, std::to_string(trial));
+    expect_ends(set, sweep.boundary_points());
   }
   EXPECT_EQ(compared, 500u);
   EXPECT_GT(closed, 100u);

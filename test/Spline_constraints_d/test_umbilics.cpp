@@ -97,10 +97,11 @@ TEST(Umbilics, none_and_flat_points)
   expect_umbilics(SC::torus_surface<K>(Point(0, 0, 0), 3, 1), {});
 }
 
-// Turned by the angle of a 3-4-5 triangle: as many, at the same parameters.
+// Turned by angles of Pythagorean triangles about two axes: as many, at the same parameters.
 TEST(Umbilics, rigid_motions)
 {
-  const K::Aff_transformation_3 turn(Rational(3, 5), Rational(-4, 5), 0, 1, Rational(4, 5), Rational(3, 5), 0, 2, 0, 0, 1, 3);
+  const K::Aff_transformation_3 about_z(Rational(3, 5), Rational(-4, 5), 0, 1, Rational(4, 5), Rational(3, 5), 0, 2, 0, 0, 1, 3), about_x(1, 0, 0, 0, 0, Rational(5, 13), Rational(-12, 13), 0, 0, Rational(12, 13), Rational(5, 13), 0);
+  const K::Aff_transformation_3 turn = about_x * about_z;
   const Surface surface = graph([](const Function& x, const Function& y) { return x * x * Rational(1, 2) + y * y + x * y * y * Rational(1, 4) + x * x * x * Rational(1, 8); });
   const Umbilics before = SC::umbilics(surface), after = SC::umbilics(surface.transformed(turn));
   EXPECT_TRUE(before.is_complete() && after.is_complete());

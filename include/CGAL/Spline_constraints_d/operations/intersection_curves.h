@@ -66,7 +66,7 @@ implicit surface that ends at its box within the bounds of a parametric one adds
 
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
-The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; and of two parametric surfaces, where an
+The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found; and of two parametric surfaces, where an
 equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide, and what is near a pole that lies on the other surface. A curve along an edge, a seam or a break is found where one equation
 says so, as it does of a parametric surface and an implicit one; at edges and seams only if no surface has a pole.
 

@@ -66,7 +66,7 @@ struct Curve_piece
   std::array<std::size_t, 2> ends;
 
   //! how often the equalities count the points between its ends. 1: their gradients are linearly independent there, by proof. More than 1: equalities are products with a power as a factor, the solutions of the system without the exponents are regular
-  //! there, and this is the exponent, or the product of one of each equality. 0: this is not known.
+  //! there, and this is the exponent, or the product of one of each equality; or it is the intersection multiplicity of two polynomials in three unknowns. 0: this is not known.
   int multiplicity = 1;
 };
 

@@ -260,24 +260,29 @@ inline void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_v
 
 /*
 Where boxes are left at the tolerance, or singular points are on cutting planes, a curve may be one that an equality counts several times. So the solver looks for repeated factors then and, if there are some, begins again without them.
+Of two polynomials in three unknowns this is seen before.
 */
 template <class Traits, class Concurrency_tag>
 Found_curves curves_of_simple_factors(const Constraint_system_d& system, const Solver_options& options, Run_control& control, const Curve_search& search)
 {
   std::optional<Simple_factors> factors;
-  const auto gives_up = [&] {
+  const auto has_simpler = [&] {
     factors.emplace(system);
-    return factors->is_simpler() || search.gives_up();
+    return factors->is_simpler();
   };
-  Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control, gives_up)();
-  if (!factors || !factors->is_simpler())
-    return result;
+  std::size_t nodes = 0;
+  if (const auto polynomials = two_polynomials_in_space(system); !polynomials || !seem_to_touch_along_curves(*polynomials) || !has_simpler()) {
+    Found_curves result = All_curves<Traits, Concurrency_tag>(system, options, control, [&] { return (!factors && has_simpler()) || search.gives_up(); })();
+    if (!factors || !factors->is_simpler())
+      return result;
+    nodes = result.summary.nodes;
+  }
   Solver_options rest = options;
   if (options.node_limit > 0)
-    rest.node_limit = (std::max)(options.node_limit - (std::min)(result.summary.nodes, options.node_limit), std::size_t(1));
+    rest.node_limit = (std::max)(options.node_limit - (std::min)(nodes, options.node_limit), std::size_t(1));
   Found_curves simple = All_curves<Traits, Concurrency_tag>(factors->system(), rest, control)();
   count_multiplicities(simple.pieces, simple.vertices, *factors);
-  simple.summary.nodes += result.summary.nodes;
+  simple.summary.nodes += nodes;
   return simple;
 }
 
@@ -343,7 +348,7 @@ where two curves cross transversally, and for isolated solutions with a definite
 Inequalities cut the curves where they are zero, at certified points. An end where a strict inequality is zero does not belong to the curve: where \f$g > 0\f$ or \f$g \neq 0\f$ excludes one point, a curve ends there and another one begins, which
 \f$g \ge 0\f$ leaves together. Curves along which an inequality is zero are left undecided, and so is a regular point where two are zero.
 
-A curve that an equality counts several times, by a repeated factor in each of its cells, is found once, with its `Solution_curve::multiplicity()`. Curves that lie in a face of the domain, or in a plane of breaks, are found, and where others meet them, if an equality is zero on the whole face or plane; otherwise they are undecided.
+A curve that an equality counts several times, by a repeated factor in each of its cells, is found once, with its `Solution_curve::multiplicity()`; so are many curves along which two polynomials in three unknowns have parallel gradients (see the manual). Curves that lie in a face of the domain, or in a plane of breaks, are found, and where others meet them, if an equality is zero on the whole face or plane; otherwise they are undecided.
 
 \tparam Traits bundles number type and policies, a model of `ConstraintSolverTraits`: boxes are subdivided with its number type and its splitter. Points on the cutting planes are always decided by `Certified_solver_traits`.
 \tparam Concurrency_tag as for `Subdivision_solver_d`: the answers are the same, in the same order.

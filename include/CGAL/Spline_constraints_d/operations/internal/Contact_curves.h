@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTACT_CURVES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTACT_CURVES_H
 
+#include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
@@ -34,7 +35,7 @@ On a contact curve the equations A = B are singular. If f(B) has repeated factor
   <A - B, B_s> = <A - B, B_t> = 0, g(s,t) = 0,
 
 and these are regular where the surfaces touch, and g is. Other solutions are pairs of points of f = 0 on a normal of B. By the mean value theorem 0 = f(A) - f(B) = lambda <grad f, n>, with n = B_s x B_t, A - B = lambda n, and the gradient at some point between: so both are the same point where <grad f, n> is not
-zero around them. This holds on all of a curve, if at one of its vertices.
+zero around them. Along a regular curve in one cell of both surfaces A - B is analytic: it is zero everywhere, if around one vertex. Curves of other solutions are in boxes where A and B are apart.
 */
 class Contact_curves
 {
@@ -173,6 +174,30 @@ private:
 
   bool are_apart(const Exact_ranges& box) const { return are_apart(part(m_implicit, box).values(), part(m_other, box).values()); }
 
+  // The same, by halves of the box.
+  bool are_apart_in_parts(const Exact_ranges& box, int most_halvings = 8) const
+  {
+    if (are_apart(box))
+      return true;
+    if (most_halvings == 0)
+      return false;
+    std::size_t longest = 0;
+    Exact_rational length(0);   // a share of the domain
+    for (const std::size_t surface : {m_implicit, m_other})
+      for (int axis = 0; axis < 2; ++axis) {
+        const std::size_t unknown = first_unknown(surface) + static_cast<std::size_t>(axis);
+        const Parameter_range domain = patch(surface).domain(axis);
+        const Exact_rational share((box[unknown].second - box[unknown].first) / (domain.second - domain.first));
+        if (length < share) {
+          length = share;
+          longest = unknown;
+        }
+      }
+    Exact_ranges lower = box, upper = box;
+    lower[longest].second = upper[longest].first = (box[longest].first + box[longest].second) / 2;
+    return are_apart_in_parts(lower, most_halvings - 1) && are_apart_in_parts(upper, most_halvings - 1);
+  }
+
   static bool are_apart(const Vector_bounds<3>& a, const Vector_bounds<3>& b)
   {
     for (std::size_t i = 0; i < 3; ++i)
@@ -181,36 +206,78 @@ private:
     return false;
   }
 
-  // Whether the solution in a box is a common point.
+  // Whether the solution in a box is a common point, and so are all near it.
   CGAL::Uncertain<bool> is_common_point(const Exact_ranges& solution) const
   {
     const Spline_patch<3> other = part(m_other, solution);
-    const Vector_bounds<3> a = part(m_implicit, solution).values(), b = other.values(), s = other.tangents(0), t = other.tangents(1);
+    const Vector_bounds<3> a = part(m_implicit, solution).values(), b = other.values();
     if (are_apart(a, b))
       return false;
     const Mpfr_precision_scope precision(128);
+    std::array<Mpfr_interval, 3> gradient;
     std::vector<Mpfr_interval> between;
     for (std::size_t i = 0; i < 3; ++i) {
       const Rational_interval both = hull(a[i], b[i]);
       between.emplace_back(both.lower, both.upper);
     }
+    for (std::size_t i = 0; i < 3; ++i)
+      gradient[i] = m_polynomial.derivative(static_cast<int>(i)).value(std::span<const Mpfr_interval>(between));
+    const std::vector<Exact_rational> u = other.breaks(0), v = other.breaks(1);   // on both sides of a break the tangents have other lengths
+    bool is_common = true;
+    for (std::size_t i = 1; i < u.size(); ++i)
+      for (std::size_t j = 1; j < v.size(); ++j)
+        is_common = is_common && crosses_normal(gradient, other.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}}));
+    return is_common ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+  }
+
+  // Whether the product of a gradient with the normals of a part of a surface is not zero.
+  static bool crosses_normal(const std::array<Mpfr_interval, 3>& gradient, const Spline_patch<3>& surface)
+  {
+    const Vector_bounds<3> s = surface.tangents(0), t = surface.tangents(1);
     Mpfr_interval slope(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       const Rational_interval normal = s[j] * t[k] - s[k] * t[j];
-      slope += m_polynomial.derivative(static_cast<int>(i)).value(std::span<const Mpfr_interval>(between)) * Mpfr_interval(normal.lower, normal.upper);
+      slope += gradient[i] * Mpfr_interval(normal.lower, normal.upper);
     }
-    return CGAL::certainly(slope.sign() != CGAL::ZERO) ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+    return CGAL::certainly(slope.sign() != CGAL::ZERO);
   }
 
-  // By the first of its regular vertices that tells.
+  // Whether a curve has common points only, or none.
   CGAL::Uncertain<bool> has_common_points(const Curve_solution_set_d& all, const Solution_curve& curve) const
   {
-    for (const std::size_t i : curve.vertices())
-      if (!all.vertices()[i].is_singular)
-        if (const CGAL::Uncertain<bool> result = is_common_point(all.vertices()[i].box); CGAL::is_certain(result))
-          return result;
-    return CGAL::Uncertain<bool>::indeterminate();
+    std::optional<CGAL::Uncertain<bool>> result;
+    for (auto begin = curve.pieces.begin(); begin != curve.pieces.end();) {
+      const auto end = std::find_if(begin, curve.pieces.end(), [&](const Curve_piece& piece) { return cell_of(piece) != cell_of(*begin); });
+      const CGAL::Uncertain<bool> is_common = has_common_points(all, std::span(begin, end));
+      if (!CGAL::is_certain(is_common) || (result && CGAL::get_certain(is_common) != CGAL::get_certain(*result)))
+        return CGAL::Uncertain<bool>::indeterminate();
+      result = is_common;
+      begin = end;
+    }
+    return *result;
+  }
+
+  // The same of pieces in one cell: all points are common ones, if those around a vertex are.
+  CGAL::Uncertain<bool> has_common_points(const Curve_solution_set_d& all, std::span<const Curve_piece> pieces) const
+  {
+    for (const Curve_piece& piece : pieces)
+      for (const std::size_t i : piece.ends)
+        if (!all.vertices()[i].is_singular && CGAL::certainly(is_common_point(all.vertices()[i].box)))
+          return true;
+    return std::all_of(pieces.begin(), pieces.end(), [&](const Curve_piece& piece) { return are_apart_in_parts(piece.box); }) ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
+  }
+
+  // The pieces of both surfaces that it lies on.
+  std::vector<std::size_t> cell_of(const Curve_piece& piece) const
+  {
+    std::vector<std::size_t> result;
+    for (const std::size_t surface : {m_implicit, m_other})
+      for (int axis = 0; axis < 2; ++axis) {
+        const auto& [lower, upper] = piece.box[first_unknown(surface) + static_cast<std::size_t>(axis)];
+        result.push_back(cell_at(patch(surface).breaks(axis), Exact_rational((lower + upper) / 2)));
+      }
+    return result;
   }
 
   // With the multiplicities of its points in f(B).

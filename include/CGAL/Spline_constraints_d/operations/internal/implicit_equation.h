@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_IMPLICIT_EQUATION_H
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/function/internal/Echelon_form.h>
 #include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
 
@@ -18,52 +19,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// Rows of numbers in echelon form: each has a one where all others have zeros.
-class Echelon_form
-{
-  std::vector<std::pair<std::size_t, std::vector<Exact_rational>>> m_rows;   // with the places of their ones
-
-public:
-  std::size_t rank() const { return m_rows.size(); }
-
-  void add(std::vector<Exact_rational> row)
-  {
-    for (const auto& [place, other] : m_rows)
-      subtract(row, other, place);
-    const auto pivot = std::find_if(row.begin(), row.end(), [](const Exact_rational& x) { return x != 0; });
-    if (pivot == row.end())
-      return;
-    const auto place = static_cast<std::size_t>(pivot - row.begin());
-    const Exact_rational factor(1 / *pivot);
-    for (Exact_rational& x : row)
-      x *= factor;
-    for (auto& [own, other] : m_rows)
-      subtract(other, row, place);
-    m_rows.emplace_back(place, std::move(row));
-  }
-
-  // The vector orthogonal to all rows. \pre There is one such direction.
-  std::vector<Exact_rational> orthogonal_vector(std::size_t length) const
-  {
-    std::vector<Exact_rational> result(length, Exact_rational(1));
-    for (const auto& [place, row] : m_rows)
-      result[place] = 0;
-    const auto free = static_cast<std::size_t>(std::find(result.begin(), result.end(), Exact_rational(1)) - result.begin());
-    for (const auto& [place, row] : m_rows)
-      result[place] = -row[free];
-    return result;
-  }
-
-private:
-  static void subtract(std::vector<Exact_rational>& row, const std::vector<Exact_rational>& other, std::size_t place)
-  {
-    const Exact_rational factor = row[place];
-    if (factor != 0)
-      for (std::size_t j = 0; j < row.size(); ++j)
-        row[j] -= factor * other[j];
-  }
-};
 
 /*
 The polynomial f of a given degree with f(S) = 0, for a surface S = X/w, if there is one up to a factor.

@@ -9,10 +9,12 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Regular_pair.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
 #include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -175,12 +177,25 @@ private:
   }
 };
 
+// The equalities, if they are two polynomials in three unknowns.
+inline std::optional<std::array<Power_polynomial, 2>> two_polynomials_in_space(const Constraint_system_d& system)
+{
+  const std::vector<Spline_function>& equalities = system.equalities();
+  const auto is_polynomial = [](const Spline_function& f) { return std::all_of(f.terms().begin(), f.terms().end(), [](const Spline_term& term) { return term.pieces.size() == 1; }); };
+  if (system.dimension() != 3 || equalities.size() != 2 || !is_polynomial(equalities[0]) || !is_polynomial(equalities[1]))
+    return std::nullopt;
+  const std::vector<Exact_rational> origin(3, Exact_rational(0));
+  return std::array{polynomial_at(equalities[0], origin), polynomial_at(equalities[1], origin)};
+}
+
 /*
-A system whose equalities have no repeated factors, with the same solutions as a given one: no curve is singular everywhere. It knows how often a curve counts in the given one.
+A system whose equalities have no repeated factors, with the same solutions as a given one: no curve is singular everywhere. It knows how often a curve counts in the given one. Of two polynomials in three unknowns without repeated factors it is that of a
+regular pair.
 */
 class Simple_factors
 {
   std::vector<Factored_spline> m_equalities;
+  std::optional<Regular_pair> m_pair;
   Constraint_system_d m_system;
   bool m_is_simpler = false;
 
@@ -196,11 +211,13 @@ public:
       m_is_simpler = m_is_simpler || m_equalities.back().is_simpler();
       m_system.add(m_equalities.back().is_simpler() ? m_equalities.back().simple() : function, Relation::EQUAL);
     }
+    if (!m_is_simpler)
+      use_regular_pair(system);
     for (const auto& [function, relation] : system.inequalities())
       m_system.add(function, relation);
   }
 
-  // Whether an equality has repeated factors that were found.
+  // Whether an equality has repeated factors that were found, or a regular pair was.
   bool is_simpler() const { return m_is_simpler; }
 
   const Constraint_system_d& system() const { return m_system; }
@@ -208,11 +225,26 @@ public:
   // How often the curve through a vertex counts, which is a regular solution of the system and lies in a box of one cell; 0 if this is not known.
   int multiplicity(const Exact_ranges& box, const Exact_ranges& vertex) const
   {
+    if (m_pair)
+      return m_pair->multiplicity(vertex);
     int result = 1;
     for (const Factored_spline& equality : m_equalities)
       if (equality.is_simpler())
         result *= equality.multiplicity(box, vertex);
     return result;
+  }
+
+private:
+  void use_regular_pair(const Constraint_system_d& system)
+  {
+    if (const auto polynomials = two_polynomials_in_space(system))
+      m_pair = Regular_pair::make(*polynomials);
+    if (!m_pair)
+      return;
+    m_is_simpler = true;
+    m_system = Constraint_system_d(domain_of(system));
+    for (const Power_polynomial& polynomial : m_pair->polynomials())
+      m_system.add(polynomial, Relation::EQUAL);
   }
 };
 
