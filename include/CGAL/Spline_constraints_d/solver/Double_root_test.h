@@ -55,15 +55,16 @@ public:
   // The polynomials of the equalities around the point, which is a solution and not on a break.
   Double_root_test(const Constraint_system_d& system, const std::vector<Exact_rational>& point) : m_dimension(system.dimension())
   {
-    std::vector<Taylor_terms> terms(m_dimension);
-    for (int i = 0; i < m_dimension; ++i) {
-      int degree = 0;
-      for (const Spline_term& term : system.equalities()[i].terms())
+    std::vector<Taylor_terms> terms;
+    if (!expand(system, point, 1, terms) || !eliminate(terms))   // mostly this tells, at less cost
+      return;
+    int degree = 0;
+    for (const Spline_function& equality : system.equalities())
+      for (const Spline_term& term : equality.terms())
         degree = (std::max)(degree, std::accumulate(term.degrees.begin(), term.degrees.end(), 0));
-      if (!taylor_expansion(system.equalities()[i], point, degree, terms[i]))
-        return;
-    }
-    eliminate(terms);
+    m_has_corank_one = expand(system, point, degree, terms);
+    if (m_has_corank_one)
+      combine(terms);
   }
 
   // Multiplicity 2, over the complex numbers too.
@@ -156,8 +157,15 @@ private:
     return result;
   }
 
-  // The size of pivots is for that of the bounds; any other would be as exact.
-  void eliminate(const std::vector<Taylor_terms>& terms)
+  static bool expand(const Constraint_system_d& system, const std::vector<Exact_rational>& point, int order, std::vector<Taylor_terms>& terms)
+  {
+    terms.clear();
+    return std::all_of(system.equalities().begin(), system.equalities().end(),
+                       [&](const Spline_function& equality) { return taylor_expansion(equality, point, order, terms.emplace_back()); });
+  }
+
+  // Whether the Jacobian has rank n - 1. The size of pivots is for that of the bounds; any other would be as exact.
+  bool eliminate(const std::vector<Taylor_terms>& terms)
   {
     const int n = m_dimension;
     std::vector<Exact_rational> rows(2 * n * n, Exact_rational(0));   // (J | I)
@@ -172,17 +180,16 @@ private:
     }
     m_row = gauss_jordan(rows, 2 * n, n, n - 1, [](const Exact_rational& x) { return CGAL::is_zero(x) ? 0 : (std::max)(std::abs(CGAL::to_double(x)), 1e-300); });
     if (m_row.empty())
-      return;
+      return false;
     m_free = static_cast<int>(std::find(m_row.begin(), m_row.end(), -1) - m_row.begin());
-    m_has_corank_one = CGAL::is_zero(rows[2 * n * (n - 1) + m_free]);
-    if (m_has_corank_one)
-      combine(terms, rows);
     m_eliminated = std::move(rows);
+    return CGAL::is_zero(m_eliminated[2 * n * (n - 1) + m_free]);
   }
 
-  void combine(const std::vector<Taylor_terms>& terms, const std::vector<Exact_rational>& rows)
+  void combine(const std::vector<Taylor_terms>& terms)
   {
     const int n = m_dimension;
+    const std::vector<Exact_rational>& rows = m_eliminated;
     std::vector<Exact_rational> kernel(n, Exact_rational(1));
     for (int j = 0; j < n; ++j)
       if (j != m_free)
