@@ -260,7 +260,7 @@ TEST(TrimmedBisectors, CrossingCircles)
   EXPECT_EQ(inner, 1U);
 }
 
-double distance_to_nearest(const P& p, const std::vector<P>& points)
+double least_distance(const P& p, const std::vector<P>& points)
 {
   double result = std::numeric_limits<double>::infinity();
   for (const P& q : points)
@@ -297,8 +297,8 @@ TEST(TrimmedBisectors, SeparatesWhatIsNearer)
         points[k].push_back(curves[k](i / 200.0));
     for (int i = 0; i < 50; ++i) {
       const K::Segment_2 segment(P(coordinate(random), 2 * coordinate(random)), P(coordinate(random), 2 * coordinate(random)));
-      const double before = distance_to_nearest(segment.source(), points[0]) - distance_to_nearest(segment.source(), points[1]);
-      const double after = distance_to_nearest(segment.target(), points[0]) - distance_to_nearest(segment.target(), points[1]);
+      const double before = least_distance(segment.source(), points[0]) - least_distance(segment.source(), points[1]);
+      const double after = least_distance(segment.target(), points[0]) - least_distance(segment.target(), points[1]);
       if (std::abs(before) < 0.1 || std::abs(after) < 0.1)
         continue;
       int crossings = 0;
@@ -342,8 +342,8 @@ TEST(TrimmedBisectors, CrossingCubics)
     }
     for (int i = 0; i < 50; ++i) {
       const K::Segment_2 segment(P(coordinate(random), coordinate(random)), P(coordinate(random), coordinate(random)));
-      const double before = distance_to_nearest(segment.source(), points[0]) - distance_to_nearest(segment.source(), points[1]);
-      const double after = distance_to_nearest(segment.target(), points[0]) - distance_to_nearest(segment.target(), points[1]);
+      const double before = least_distance(segment.source(), points[0]) - least_distance(segment.source(), points[1]);
+      const double after = least_distance(segment.target(), points[0]) - least_distance(segment.target(), points[1]);
       if (std::abs(before) < 0.1 || std::abs(after) < 0.1)
         continue;
       const auto crossings = std::count_if(chords.begin(), chords.end(), [&](const K::Segment_2& chord) { return CGAL::do_intersect(segment, chord); });

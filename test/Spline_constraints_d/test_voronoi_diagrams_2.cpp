@@ -182,6 +182,37 @@ TEST(VoronoiDiagrams, NearestSites)
   EXPECT_TRUE(SC::voronoi_diagram(Curves()).nearest_sites(P(0, 0)).empty());
 }
 
+// What drawings contain: pieces on one line, tiny segments, segments that are given twice, concentric circles. The bisectors of different curves are known.
+template <class Is_on_bisector>
+void expect_bisector(const Curves& curves, const Is_on_bisector& is_on_bisector)
+{
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  std::size_t samples = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, 0.1, 10)) {
+      const auto& [a, b] = diagram.edges()[e].sites;
+      if (const double offset = is_on_bisector(sample.point, diagram.sites()[a], diagram.sites()[b]); !std::isnan(offset)) {
+        ++samples;
+        EXPECT_NEAR(offset, 0, 1e-9);
+      }
+    }
+  EXPECT_GT(samples, 3U);
+}
+
+TEST(VoronoiDiagrams, PiecesOfDrawings)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Curve left = bezier({P(0, 0), P(1, 0)}), right = bezier({P(2, 0), P(3, 0)}), tiny = bezier({P(2, 0), P(2 + 1e-9, 0)});
+  const auto ends = [none](const P& p, const auto& a, const auto& b) { return a.is_point && b.is_point && a.point.x() * b.point.x() == 2 ? p.x() - 1.5 : none; };
+  expect_bisector({left, right}, ends);
+  expect_bisector({left, tiny}, ends);
+  expect_bisector({left, right, left}, ends);
+  const auto circle = [](double r) { return SC::ellipse_curve(P(0, 0), K::Vector_2(r, 0), K::Vector_2(0, r)); };
+  expect_bisector({circle(1), circle(2)}, [none](const P& p, const auto& a, const auto& b) { return a.is_point || b.is_point ? none : distance(p, P(0, 0)) - 1.5; });
+}
+
 TEST(VoronoiDiagrams, BadInput)
 {
   EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(1, 1), P(1, 1)})}), SC::Invalid_input);

@@ -6,56 +6,18 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/Trimmed_bisector_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Bisected_operands.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// Two curves, two points, or one of each, in order: those of both kinds.
-template <SplineKernel Kernel>
-struct Bisected_operands
-{
-  std::vector<Site_curve_2> curves;
-  std::vector<CGAL::Point_2<Kernel>> points;
-  std::array<std::pair<bool, std::size_t>, 2> places;   // of each operand: whether it is a point, and its index
-
-  template <class A, class B>
-  Bisected_operands(const A& a, const B& b) : places{add(a), add(b)} {}
-
-  // Whether an operand passes through a vertex or ends there.
-  bool is_at(std::size_t operand, const Site_graph_2& graph, const Site_graph_2::Vertex& vertex) const
-  {
-    const auto& [is_point, index] = places[operand];
-    if (is_point)
-      return vertex.is_exact && vertex.exact_point == exact_coordinates(points[index]);
-    return std::any_of(vertex.ends.begin(), vertex.ends.end(), [&graph, i = index](const Arc_end& end) { return graph.is_part_of(end.arc, i); });
-  }
-
-  bool is_on(std::size_t operand, const Site_graph_2& graph, std::size_t arc) const { return !places[operand].first && graph.is_part_of(arc, places[operand].second); }
-
-private:
-  template <ParametricCurve_2 Curve>
-  std::pair<bool, std::size_t> add(const Curve& curve)
-  {
-    curves.emplace_back(curve);
-    return {false, curves.size() - 1};
-  }
-
-  std::pair<bool, std::size_t> add(const CGAL::Point_2<Kernel>& point)
-  {
-    points.push_back(point);
-    return {true, points.size() - 1};
-  }
-};
 
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
 Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)

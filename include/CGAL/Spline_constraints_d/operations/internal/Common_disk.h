@@ -18,18 +18,19 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles.
+A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
 */
 class Common_disk
 {
   const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
   Exact_pair m_center;
   Interval_pair m_enclosed_center;
   std::optional<Exact_rational> m_squared_radius;
 
 public:
   // The center is the simplest one in an enclosure.
-  Common_disk(const Site_graph_2& graph, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph)
+  Common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph), m_curvature(curvature)
   {
     for (std::size_t k = 0; k < 2; ++k) {
       if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
@@ -39,7 +40,7 @@ public:
     }
     for (const Disk_branch& contact : contacts)
       if (!m_squared_radius)
-        m_squared_radius = squared_distance(contact.contact);
+        m_squared_radius = squared_radius(contact.contact);
   }
 
   // Whether it touches a part of a front, on the side of the normals.
@@ -50,9 +51,9 @@ public:
     if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
       return false;
     if (!front.is_fan)
-      return touches_arc(m_graph.arcs()[front.object], part.range);
+      return touches_arc(m_graph.arcs()[front.object], part.range, *m_squared_radius);
     const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.front_jet(front, {u, u}).normal), away)); };
-    return touches(m_graph.vertices()[front.object]) && turn(part.range.begin) * turn(part.range.end) < 0;
+    return touches(m_graph.vertices()[front.object], *m_squared_radius) && turn(part.range.begin) * turn(part.range.end) < 0;
   }
 
   // Whether it touches the same thing as the disks of a branch.
@@ -60,13 +61,18 @@ public:
   {
     if (!m_squared_radius)
       return false;
+    const Exact_rational square = *m_squared_radius * squared_factor(located.contact);
     if (located.contact.kind == Disk_contact::Kind::VERTEX)
-      return touches(m_graph.vertices()[located.contact.index]);
-    return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range);
+      return touches(m_graph.vertices()[located.contact.index], square);
+    return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range, square);
   }
 
 private:
-  bool touches(const Site_graph_2::Vertex& vertex) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == *m_squared_radius; }
+  bool is_scaled(const Disk_contact& contact) const { return contact.kind == Disk_contact::Kind::VERTEX ? m_curvature.is_vertex_scaled(contact.index) : contact.kind == Disk_contact::Kind::ARC && m_curvature.is_arc_scaled(contact.index); }
+
+  Exact_rational squared_factor(const Disk_contact& contact) const { return is_scaled(contact) ? m_curvature.scaled_sites()->squared_factor : Exact_rational(1); }
+
+  bool touches(const Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
 
   static Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
 
@@ -83,36 +89,36 @@ private:
     return Exact_rational(area * area / exact_dot(d, d));
   }
 
-  // Of the center, if that is known to be rational.
-  std::optional<Exact_rational> squared_distance(const Disk_contact& contact) const
+  // The squared radius of the disk that touches a contact, if it is known to be rational.
+  std::optional<Exact_rational> squared_radius(const Disk_contact& contact) const
   {
     if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
-      return squared_distance_from(m_graph.vertices()[contact.index].exact_point);
+      return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(contact));
     if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
-      return squared_distance_from_line(m_graph.arcs()[contact.index]);
+      return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(contact));
     return std::nullopt;
   }
 
   // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
-  bool touches_arc(const Site_arc_2& arc, const Range& range) const
+  bool touches_arc(const Site_arc_2& arc, const Range& range, const Exact_rational& square) const
   {
     const auto approach = [&](double v) {
       const Curve_jet y = arc.jet({v, v}, 1);
       return certain_sign(dot(m_enclosed_center - y[0], y[1]));
     };
-    return touches_line_or_circle(arc) && approach(range.begin) > 0 && approach(range.end) < 0;
+    return touches_line_or_circle(arc, square) && approach(range.begin) > 0 && approach(range.end) < 0;
   }
 
   // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 = 4 r^2 s^2.
-  bool touches_line_or_circle(const Site_arc_2& arc) const
+  bool touches_line_or_circle(const Site_arc_2& arc, const Exact_rational& squared_radius) const
   {
     if (arc.is_straight())
-      return squared_distance_from_line(arc) == *m_squared_radius;
+      return squared_distance_from_line(arc) == squared_radius;
     if (!arc.circle())
       return false;
     const auto& [center, square] = *arc.circle();
-    const Exact_rational rest = squared_distance_from(center) - square - *m_squared_radius;
-    return rest * rest == 4 * square * *m_squared_radius;
+    const Exact_rational rest = squared_distance_from(center) - square - squared_radius;
+    return rest * rest == 4 * square * squared_radius;
   }
 };
 

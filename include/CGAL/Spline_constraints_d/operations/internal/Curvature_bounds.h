@@ -6,7 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -70,6 +72,27 @@ struct Curvature_quotient
     k.dv = (fv - k.value * qv) / q;
     k.dvv = (fvv - k.value * qvv - Interval(2) * k.dv * qv) / q;
     k.duv = (fuv - k.du * qv - k.dv * qu - k.value * quv) / q;
+    return k;
+  }
+
+  /*
+  The positive zero k = (f + r) / (2 q) = 2 m / (r - f) of q k^2 - f k - m, with r^2 = f^2 + 4 m q, and its derivatives, by those of the equation; m > 0 does not depend on v.
+  */
+  Curvature_bounds positive_zero(const Interval& m, const Interval& mu) const
+  {
+    Curvature_bounds k;
+    const Interval two(2), square(0, (std::max)(q.sup(), 0.0)), r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
+    k.value = Interval((two * m / Interval((r - f).sup())).inf(), std::numeric_limits<double>::infinity());
+    if (!(q.inf() > 0 && r.inf() > 0))
+      return k;
+    k.value = common_part(k.value, (f + r) / (two * q));
+    if (const Interval other = r - f; other.inf() > 0)
+      k.value = common_part(k.value, two * m / other);
+    const Interval kk = CGAL::square(k.value);
+    k.du = (fu * k.value - qu * kk + mu) / r;
+    k.dv = (fv - qv * k.value) * k.value / r;
+    k.dvv = (fvv * k.value - qvv * kk - two * (two * qv * k.value - fv) * k.dv - two * q * CGAL::square(k.dv)) / r;
+    k.duv = (fuv * k.value - quv * kk - (two * qu * k.value - fu) * k.dv - (two * qv * k.value - fv) * k.du - two * q * k.du * k.dv) / r;
     return k;
   }
 };

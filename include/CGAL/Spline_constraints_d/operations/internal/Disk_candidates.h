@@ -46,7 +46,7 @@ class Disk_candidates
   Disk_curvature m_curvature;
 
 public:
-  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_tree(tree), m_curvature(graph) {}
+  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature) : m_graph(graph), m_tree(tree), m_curvature(curvature) {}
 
   std::vector<Disk_candidate> all() const
   {
@@ -68,7 +68,7 @@ public:
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (circle && m_curvature.are_outside_own_circle(part, points(candidate))); };
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
     const auto add_parts = [&] {
@@ -103,6 +103,16 @@ public:
     for (const std::size_t i : settled)
       candidates.push_back(pool[i]);
     return attained.least;
+  }
+
+  // Whether sites are scaled that a candidate holds.
+  bool may_be_scaled(const Disk_candidate& candidate) const
+  {
+    switch (candidate.kind) {
+    case Disk_candidate::Kind::NODE: return m_curvature.scaled_sites() != nullptr;
+    case Disk_candidate::Kind::VERTEX: return m_curvature.is_vertex_scaled(candidate.index);
+    default: return m_curvature.is_arc_scaled(candidate.index);
+    }
   }
 
   // A box around the points of a candidate.
@@ -143,9 +153,7 @@ private:
   {
     Curvature_bounds& k = candidate.bounds;
     if (candidate.kind == Disk_candidate::Kind::NODE) {
-      const Interval_pair d = m_tree.node(candidate.index).box - part.jet.point;
-      const Interval f = Interval(2) * dot(part.jet.normal, d), q = squared_norm(d);
-      k.value = f.sup() <= 0 ? Interval(0) : q.inf() > 0 ? f / q : any_number();
+      k.value = m_curvature.through_box(part, m_tree.node(candidate.index).box);
       return;
     }
     const Interval shift_u = part.range.interval() - Interval(part.range.middle());
@@ -212,7 +220,7 @@ private:
     else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
       if (const Front& front = m_graph.fronts()[part.front]; !front.is_fan || front.object != item.index)
         parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
-    } else if (!m_graph.is_never_touched(part.front, item.index))
+    } else if (m_curvature.is_arc_scaled(item.index) || !m_graph.is_never_touched(part.front, item.index))
       add_arc(item.index, Range());
   }
 };

@@ -154,7 +154,7 @@ private:
   // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
   bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
   {
-    if (!m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
+    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
       return false;
     const bool is_near = distance.begin <= most_gap * distance.width();
     const std::size_t vertex = m_graph.vertex_of(end);

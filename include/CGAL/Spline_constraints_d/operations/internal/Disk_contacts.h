@@ -114,6 +114,16 @@ public:
     return certain_sign(k.duv + k.dvv) != 0;
   }
 
+  // Whether the contact moves into the end of its arc at the begin or end of the front, by exact computation: the line through both is perpendicular to both.
+  bool is_move_at_end(const Disk_branch& branch, bool end) const
+  {
+    const auto& [event, arc, parameter, positive, negative, joined_ends, between] = *branch.move;
+    if (event != Disk_event::JOINT || joined_ends || !m_graph.is_exact({arc, parameter == 1}) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return false;
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), tangent = m_graph.direction({arc, parameter == 1}), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[arc].at(Exact_rational(parameter));
+    return sign_of(exact_dot(normal, tangent)) == 0 && sign_of(exact_cross(normal, Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) == 0;
+  }
+
   // Whether two branches that do not move have the same curvature at the begin or end of the front, by exact computation.
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
@@ -308,7 +318,7 @@ private:
     }
     const Disk_branch branch = branch_to(Disk_contact::Kind::VERTEX, vertex);
     const bool is_known = std::any_of(m_branches.begin(), m_branches.end(), [&](const Disk_branch& b) { return b.contact == branch.contact; });
-    if (!is_known && !m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
+    if (!is_known && (m_curvature.is_vertex_scaled(vertex) || !m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex)))
       m_branches.push_back(branch);
   }
 
@@ -320,7 +330,7 @@ private:
   {
     if (contact.kind == Disk_contact::Kind::NOTHING)
       return Exact_rational(0);
-    if (contact.kind != Disk_contact::Kind::VERTEX || !m_graph.vertices()[contact.index].is_exact || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+    if (contact.kind != Disk_contact::Kind::VERTEX || m_curvature.is_vertex_scaled(contact.index) || !m_graph.vertices()[contact.index].is_exact || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return std::nullopt;
     const Exact_pair &p = m_graph.exact_point(m_front, end), &q = m_graph.vertices()[contact.index].exact_point;
     const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Curvature_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fan_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Scaled_sites.h>
 
 #include <algorithm>
 #include <array>
@@ -27,21 +28,34 @@ The disk is in the half-plane of N where k > 0. Those with k <= 0 contain a half
 
 Where both points belong to one arc, or to two that join smoothly, both <N, Y - X> and |Y - X|^2 are divided by h^2, with h = v - u: with D = (Y - X) / h, the mean of X' between u and v, and E = <N, Y - X> / h^2, the mean of
 (1-t) <N(u), X''(u + t h)>, k = 2 E / |D|^2 has no singularity at v = u, where it is the curvature of the arc. Derivatives of D and E are means of higher derivatives, and all of them are enclosed by hulls of these.
+
+If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y| = c |N| / k and
+
+  |Y - X|^2 k^2 - 2 <N, Y - X> k - (c^2 - 1) |N|^2 = 0,
+
+which has one positive solution. Then each disk has such a point: none is a half-plane.
 */
 class Disk_curvature
 {
   static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
+  const Scaled_sites* m_scaled;   // none, or some sites, but none of a front in question
 
 public:
-  explicit Disk_curvature(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+
+  const Scaled_sites* scaled_sites() const { return m_scaled; }
+  bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
+  bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
   Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
 
   // Over a part of a front and a range of an arc, with the enclosures of that.
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
+    if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
+      return of_scaled_disk(quotient(part.jet, jet), part);
     if (part.range.is_number() && range.is_number())
       return with_common_arc_and_vertices(quotient(part.jet, jet).bounds(), part, arc, range);
     const double u = part.range.middle(), v = range.middle();
@@ -52,7 +66,8 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
-    return with_common_arc_and_vertices(quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v).bounds(), part, arc, range);
+    const Curvature_quotient k = quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v);
+    return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_common_arc_and_vertices(k.bounds(), part, arc, range);
   }
 
   // The disks that pass through a vertex.
@@ -61,12 +76,26 @@ public:
     const Front& front = m_graph.fronts()[part.front];
     Curve_jet jet{};
     jet[0] = m_graph.vertices()[vertex].point;
+    if (is_vertex_scaled(vertex))
+      return of_scaled_disk(quotient(part.jet, jet), part);
     Curvature_bounds result = quotient(part.jet, jet).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
           result = common_part(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
     return result;
+  }
+
+  // The disks that pass through points of a box. Those of half-planes do not matter.
+  Interval through_box(const Front_part& part, const Interval_pair& box) const
+  {
+    const Interval_pair d = box - part.jet.point;
+    Curvature_quotient k;
+    k.f = Interval(2) * dot(part.jet.normal, d);
+    k.q = squared_norm(d);
+    if (m_scaled != nullptr)
+      return hull(Interval(0), of_scaled_disk(k, part).value);
+    return k.f.sup() <= 0 ? Interval(0) : k.q.inf() > 0 ? k.f / k.q : any_number();
   }
 
   // The disks that touch a front from within the circle that it lies on have the curvature of that.
@@ -94,6 +123,12 @@ public:
   }
 
 private:
+  Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Front_part& part) const
+  {
+    const Interval_pair& n = part.jet.normal;
+    return k.positive_zero(m_scaled->excess * squared_norm(n), Interval(2) * m_scaled->excess * dot(n, part.jet.normal_derivative));
+  }
+
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
   // And what is known where the front lies on the arc, or has a vertex in common with it.

@@ -7,11 +7,11 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -20,26 +20,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// Where a range of a front ends in which disks are free: where the front ends; where the disk has a second contact; or somewhere in a range that is not decided.
-struct Free_end
-{
-  enum class Kind { FRONT_END, CONTACT, UNDECIDED };
-
-  Kind kind = Kind::FRONT_END;
-  Range location{};             // holds the parameter
-  Disk_contact contact{};       // the second one
-  Range contact_location{};     // on an arc
-};
-
-using Free_range = std::array<Free_end, 2>;   // begin, end
-
-// The ranges of a front in which disks are free, in order, and those that are not decided.
-struct Free_ranges
-{
-  std::vector<Free_range> free;
-  std::vector<Range> undecided;
-};
 
 /*
 Where a disk of a given radius r that touches a front has no curve inside.
@@ -67,7 +47,7 @@ class Free_disks
 
 public:
   Free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_rational& radius)
-    : m_graph(graph), m_curvature(graph), m_candidates(graph, tree), m_exact_radius(radius), m_radius(interval_of(radius))
+    : m_graph(graph), m_curvature(graph), m_candidates(graph, tree, m_curvature), m_exact_radius(radius), m_radius(interval_of(radius))
   {}
 
   Free_ranges operator()(std::size_t front)

@@ -68,7 +68,10 @@ class Maximal_disks
   int m_nodes = 0;
 
 public:
-  explicit Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_curvature(graph), m_candidates(graph, tree) {}
+  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree) : Maximal_disks(graph, tree, Disk_curvature(graph)) {}
+
+  // With scaled sites. Where no disk touches these, contacts are not told apart: they are said to be with nothing.
+  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_candidates(graph, tree, curvature) {}
 
   // The stretches of a front in order; none if nothing could be resolved.
   std::vector<Disk_stretch> operator()(std::size_t front)
@@ -88,6 +91,11 @@ private:
   {
     const Front_part part = m_curvature.part(front, range);
     const double least = m_candidates.prune(part, candidates);
+    const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
+    if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
+      append({}, range);
+      return;
+    }
     if (resolve(part, candidates, least))
       return;
     const double middle = range.begin + split_ratio * range.width();
@@ -130,7 +138,7 @@ private:
     const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Common_disk disk(m_graph, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), before), branches);
+    const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), before), branches);
     return disk.touches(part) && std::all_of(branches.begin(), branches.end(), [&](const Disk_branch& branch) { return disk.touches(branch); }) && append_crossing(contacts, part.range, before, after);
   }
 
@@ -140,7 +148,7 @@ private:
   bool append_pocket(const Front_part& part, std::vector<Disk_candidate> candidates, double least)
   {
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
-    if (!pocket || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
+    if (!pocket || m_curvature.scaled_sites() != nullptr || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
     const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
@@ -201,7 +209,8 @@ private:
       append(branch, range);
       return true;
     }
-    const auto sign_at = [&](double u) { return contacts.sign_of_move(branch, u); };
+    const auto sign = [&](double u) { return contacts.sign_of_move(branch, u); };
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(range, u, sign, [&](bool end) { return contacts.is_move_at_end(branch, end); }); };
     return append_change(range, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
   }
 
@@ -209,15 +218,20 @@ private:
   {
     if (first.move || second.move)
       return false;
-    const auto sign_at = [&](double u) {
-      const int sign = contacts.compare(first, second, u);
-      if (sign == 0 && (u == 0 || u == 1) && contacts.are_equal_at_end(first, second, u == 1)) {
-        const double other = u == 0 ? range.end : range.begin;   // the order near the end is the same
-        return 0 < other && other < 1 ? contacts.compare(first, second, other) : 0;
-      }
-      return sign;
-    };
+    const auto sign = [&](double u) { return contacts.compare(first, second, u); };
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(range, u, sign, [&](bool end) { return contacts.are_equal_at_end(first, second, end); }); };
     return append_change(range, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
+  }
+
+  // The sign of a monotone function, or, where it is zero at an end of the front, the sign near that.
+  template <class Sign, class Is_zero_at_end>
+  static int sign_or_that_near_end(const Range& range, double u, const Sign& sign, const Is_zero_at_end& is_zero_at_end)
+  {
+    const int result = sign(u);
+    if (result != 0 || (u != 0 && u != 1) || !is_zero_at_end(u == 1))
+      return result;
+    const double other = u == 0 ? range.end : range.begin;
+    return 0 < other && other < 1 ? sign(other) : 0;
   }
 
   // Where a function is positive the contact is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known.

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Trimmed alpha-sectors of two planar curves A and B: all points whose distances from the nearest points of both have the ratio alpha : 1 - alpha. They lead from A (blue) over the bisector (gray) to B (red).
+//
+//   trimmed_alpha_sectors
+//
+// Writes trimmed_alpha_sectors.svg. Exit status: 0 when everything is proved, 3 when a part is not.
+#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+
+// To 1/1024: short enough for a drawing.
+K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
+
+int main()
+{
+  const auto a = SC::bezier_curve(std::vector<K::Point_2>{{-4, 3}, {-1, -4}, {1, 8}, {4, 1}});
+  const auto b = SC::bezier_curve(std::vector<K::Point_2>{{-4, -2}, {0, -5}, {1, 1}, {3, -3}});
+  std::ofstream file("trimmed_alpha_sectors.svg");
+  SC::SVG_writer picture(file, CGAL::Bbox_2(-9, -8, 11, 8), 700);
+  const char* const colours[] = {"#08306b", "#2171b5", "#6baed6", "", "#fc9272", "#de2d26", "#67000d"};
+  bool is_complete = true;
+
+  for (const int k : {1, 2, 3, 5, 6, 7}) {
+    const auto sector = SC::trimmed_alpha_sector(a, b, k / 8.0);
+    for (const auto& chain : sector.chains()) {
+      std::vector<K::Point_2> points;
+      for (const std::size_t arc : chain.arcs)
+        for (const auto& sample : sector.polyline(arc, 0.005))
+          points.push_back(rounded(sample.point));
+      picture.curve(SC::polyline_curve(points), colours[k - 1], 2);
+      std::cout << "alpha = " << k << "/8: " << chain.arcs.size() << " arcs" << (chain.is_closed ? ", closed\n" : "\n");
+    }
+    is_complete = is_complete && sector.is_complete();
+  }
+
+  const auto bisector = SC::trimmed_bisector(a, b);
+  for (const auto& chain : bisector.chains())
+    for (const auto& polyline : bisector.polylines(chain, 0.005, 15)) {
+      std::vector<K::Point_2> points;
+      for (const auto& sample : polyline)
+        points.push_back(rounded(sample.point));
+      picture.curve(SC::polyline_curve(points), "#999999", 2);
+    }
+  picture.curve(a, "black", 4);
+  picture.curve(b, "black", 4);
+  return is_complete && bisector.is_complete() ? 0 : 3;
+}

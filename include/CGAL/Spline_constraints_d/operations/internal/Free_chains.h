@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_CHAINS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_CHAINS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+The centers of the free disks of all fronts, as chains.
+
+Where a front ends, the next one goes on. Where a disk has a second contact, the chain goes over to the front of that: there, the contact with the first front bounds a range of free disks, too. It is the only boundary in the range of the parameter that holds the contact, so
+the two are connected by proof, and nothing is compared by coordinates. As fronts are traversed with the free side on the left, so are chains.
+*/
+class Free_chains
+{
+public:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  // A range of free disks of a front.
+  struct Piece
+  {
+    std::size_t front;
+    Free_range range;
+  };
+
+  struct Chain
+  {
+    std::vector<std::size_t> pieces;
+    bool is_closed;
+  };
+
+private:
+  const Site_graph_2& m_graph;
+  std::vector<Free_ranges> m_ranges;             // of each front
+  std::vector<std::size_t> m_first_piece_of;     // of each front, and the number of pieces
+  std::vector<Piece> m_pieces;
+  std::vector<Chain> m_chains;
+
+public:
+  // An enclosure of the disk where a piece has a second contact has the center `center(front, end)`.
+  template <class Center>
+  Free_chains(const Site_graph_2& graph, std::vector<Free_ranges> ranges, const Center& center) : m_graph(graph), m_ranges(std::move(ranges))
+  {
+    for (std::size_t f = 0; f < m_ranges.size(); ++f) {
+      m_first_piece_of.push_back(m_pieces.size());
+      for (const Free_range& range : m_ranges[f].free)
+        m_pieces.push_back({f, range});
+    }
+    m_first_piece_of.push_back(m_pieces.size());
+    connect_pieces(center);
+  }
+
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+  const std::vector<Chain>& chains() const { return m_chains; }
+  const Front& front(const Piece& piece) const { return m_graph.fronts()[piece.front]; }
+
+  // Whether all fronts are decided, and all chains closed.
+  bool is_complete() const
+  {
+    return m_graph.is_proved() && std::all_of(m_ranges.begin(), m_ranges.end(), [](const Free_ranges& ranges) { return ranges.undecided.empty(); }) && std::all_of(m_chains.begin(), m_chains.end(), [](const Chain& chain) { return chain.is_closed; });
+  }
+
+  // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
+  std::array<double, 2> parameters(const Piece& piece) const
+  {
+    const double begin = piece.range[0].location.end, end = piece.range[1].location.begin;
+    return front(piece).is_reversed ? std::array{end, begin} : std::array{begin, end};
+  }
+
+private:
+  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != front(piece).is_reversed]; }
+
+  template <class Center>
+  void connect_pieces(const Center& center)
+  {
+    std::vector<std::size_t> next(m_pieces.size(), none), previous(m_pieces.size(), none);
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+      if (const std::size_t j = piece_behind(m_pieces[i], center); j != none && previous[j] == none) {
+        next[i] = j;
+        previous[j] = i;
+      }
+    std::vector<char> is_visited(m_pieces.size(), false);
+    const auto append_chain = [&](std::size_t first) {
+      Chain chain{{}, previous[first] != none};
+      for (std::size_t i = first; i != none && !is_visited[i]; i = next[i]) {
+        is_visited[i] = true;
+        chain.pieces.push_back(i);
+      }
+      m_chains.push_back(std::move(chain));
+    };
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+      if (previous[i] == none)
+        append_chain(i);
+    for (std::size_t i = 0; i < m_pieces.size(); ++i)
+      if (!is_visited[i])
+        append_chain(i);
+  }
+
+  template <class Center>
+  std::size_t piece_behind(const Piece& piece, const Center& center) const
+  {
+    const Free_end& last = end(piece, true);
+    switch (last.kind) {
+    case Free_end::Kind::FRONT_END: return first_piece(front(piece).next);
+    case Free_end::Kind::CONTACT: return piece_across(piece, center(piece.front, last));
+    default: return none;
+    }
+  }
+
+  std::size_t first_piece(std::size_t f) const
+  {
+    const std::size_t first = m_first_piece_of[f], last = m_first_piece_of[f + 1];
+    if (first == last)
+      return none;
+    const std::size_t i = m_graph.fronts()[f].is_reversed ? last - 1 : first;
+    return end(m_pieces[i], false).kind == Free_end::Kind::FRONT_END ? i : none;
+  }
+
+  // The piece that begins where another one ends in a second contact.
+  std::size_t piece_across(const Piece& piece, const Interval_pair& center) const
+  {
+    const Free_end& contact = end(piece, true);
+    const auto touched = touched_front(m_graph, contact.contact, contact.contact_location, center);
+    if (!touched || std::any_of(m_ranges[touched->front].undecided.begin(), m_ranges[touched->front].undecided.end(), [&](const Range& range) { return range.meets(touched->range); }))
+      return none;
+    std::vector<std::pair<std::size_t, bool>> ends;   // there
+    for (std::size_t i = m_first_piece_of[touched->front]; i < m_first_piece_of[touched->front + 1]; ++i)
+      for (const bool is_end : {false, true})
+        if (const Free_end& e = end(m_pieces[i], is_end); e.kind == Free_end::Kind::CONTACT && e.location.meets(touched->range))
+          ends.emplace_back(i, is_end);
+    const bool is_certain = ends.size() == 1 && !ends[0].second && is_contact_with(end(m_pieces[ends[0].first], false).contact, front(piece));
+    return is_certain ? ends[0].first : none;
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_CHAINS_H

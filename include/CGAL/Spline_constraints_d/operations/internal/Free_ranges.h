@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_RANGES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_RANGES_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Where a range of a front ends in which disks are free: where the front ends; where the disk has a second contact; or somewhere in a range that is not decided.
+struct Free_end
+{
+  enum class Kind { FRONT_END, CONTACT, UNDECIDED };
+
+  Kind kind = Kind::FRONT_END;
+  Range location{};             // holds the parameter
+  Disk_contact contact{};       // the second one
+  Range contact_location{};     // on an arc
+};
+
+using Free_range = std::array<Free_end, 2>;   // begin, end
+
+// The ranges of a front in which disks are free, in order, and those that are not decided.
+struct Free_ranges
+{
+  std::vector<Free_range> free;
+  std::vector<Range> undecided;
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_RANGES_H

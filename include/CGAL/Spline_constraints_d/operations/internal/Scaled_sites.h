@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SCALED_SITES_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SCALED_SITES_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one does so when scaled by that number about its center.
+struct Scaled_sites
+{
+  Exact_rational squared_factor;
+  std::vector<bool> arcs, vertices;   // which are
+  Interval excess;                    // squared_factor - 1
+
+  Scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
+    : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)), excess(interval_of(Exact_rational(square - 1)))
+  {}
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SCALED_SITES_H
