@@ -145,6 +145,50 @@ TEST(Curve_intersections, EndsOfOverlapsAreNoOtherAnswers)
   EXPECT_EQ(touching.count(Intersection_kind::OVERLAP), 1u);
 }
 
+// As in rounded rectangles on each other: an edge overlaps a part of another one, and then bends away in the same direction. The ends have too long denominators to be guessed.
+TEST(Curve_intersections, OverlapThatBendsAway)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const Exact_rational begin = Exact_rational(9992188) / 10000000, end = Exact_rational(10007812) / 10000000, middle = (begin + end) / 2;
+  const auto edges = SC::polyline_curve(std::vector<K::Point_2>{{0, -5}, {0, Exact_rational(504) / 10}, {9, 60}});
+  for (const int side : {-1, 1}) {
+    const SC::Bspline_curve_2<K> round(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                                       {{2 * side, begin - 1}, {0, begin - 1}, {0, begin}, {0, middle}, {0, end}, {0, end + 1}, {side, end + 2}});
+    const auto intersections = SC::intersections(edges, round);
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    ASSERT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections[0].kind(), Intersection_kind::OVERLAP);
+    const auto parameter = [](const Exact_rational& y) { return Exact_rational((y + 5) * 10 / 554); };
+    EXPECT_EQ(intersections[0].parameter_range(0), (std::pair(parameter(begin), parameter(end))));
+    EXPECT_EQ(intersections[0].parameter_range(1), (std::pair<Exact_rational, Exact_rational>(1, 2)));
+  }
+}
+
+// Copies with other digits, that meet at breaks only. The solver would have to cut them into very small boxes, and stops early; elimination settles what it leaves, also where one of the two is moved away.
+TEST(Curve_intersections, NearlyTheSameCurves)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const auto copy = [](const Exact_rational& shift) {
+    return SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, {{0, 0}, {shift, 6}, {7, 11}, {16, 11}, {21, 11}, {25, 8 + shift}, {30, 5}});
+  };
+  const Exact_rational tiny = Exact_rational(1) / 1000000;
+  const auto intersections = SC::intersections(copy(0), copy(tiny), {.node_limit = 500});
+  EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+  ASSERT_EQ(intersections.size(), 3u);
+  for (int i : {0, 1, 2}) {
+    EXPECT_TRUE(intersections[i].kind() == Intersection_kind::TANGENT || intersections[i].kind() == Intersection_kind::END_POINT);
+    for (int k : {0, 1}) {
+      EXPECT_LE(intersections[i].parameter_range(k).first, i);
+      EXPECT_GE(intersections[i].parameter_range(k).second, i);
+      EXPECT_EQ(intersections[i].is_at_end(k), i != 1);
+    }
+  }
+  const CGAL::Aff_transformation_2<K> move(CGAL::TRANSLATION, K::Vector_2(tiny, -2 * tiny));
+  const auto moved = SC::intersections(copy(0).restricted(0, 1), copy(tiny).restricted(0, 1).transformed(move), {.node_limit = 500});
+  EXPECT_TRUE(moved.is_complete()) << moved.summary();
+  EXPECT_TRUE(moved.empty());
+}
+
 // Pieces of one circle: where two of them meet on both curves, a common factor has a zero of its own that belongs to the overlap.
 TEST(Curve_intersections, OverlapAcrossABreak)
 {

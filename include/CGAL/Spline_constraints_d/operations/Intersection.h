@@ -96,7 +96,7 @@ public:
   int multiplicity() const { return m_common.solution ? m_common.solution->multiplicity() : m_common.kind == Intersection_kind::TRANSVERSAL ? 1 : 0; }
 
   //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or those of one operand, if the points of the other one are affine in its parameters:
-  //! a point, a segment, a parallelogram. None without unknowns, and at poles that were found otherwise.
+  //! a point, a segment, a parallelogram. None without unknowns, at poles that were found otherwise, and at breaks of planar curves where elimination decided what the solver did not.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:

@@ -161,6 +161,12 @@ inline Exact_box hull(const Exact_point& a, const Exact_point& b)
   return result;
 }
 
+inline Exact_rational zero_of_linear(const Power_polynomial& polynomial)
+{
+  const Exact_rational at_zero = polynomial(std::vector<Exact_rational>{Exact_rational(0)}), slope = polynomial(std::vector<Exact_rational>{Exact_rational(1)}) - at_zero;
+  return Exact_rational(-at_zero / slope);
+}
+
 // The zeros of a polynomial of one unknown in a range that are rational, and whether these are all. `solve(system)` gives all zeros.
 template <class Solve>
 std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomial& polynomial, const std::pair<Exact_rational, Exact_rational>& range, const Solve& solve)
@@ -175,7 +181,7 @@ std::pair<std::vector<Exact_rational>, bool> rational_zeros(const Power_polynomi
     are_all = are_all && solution.is_certified();   // another answer may hold more than one zero
     const auto [lower, upper] = solution.exact_box()[0];
     const Exact_rational first = (std::max)(lower, range.first), last = (std::min)(upper, range.second);
-    const Exact_rational zero = first <= last ? simplest_rational_between(first, last) : first;
+    const Exact_rational zero = polynomial.degree(0) == 1 ? zero_of_linear(polynomial) : first <= last ? simplest_rational_between(first, last) : first;
     if (CGAL::is_zero(polynomial(std::vector<Exact_rational>{zero})))
       zeros.push_back(zero);
     else

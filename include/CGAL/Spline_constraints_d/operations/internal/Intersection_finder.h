@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/settle_undecided_points.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -58,6 +59,7 @@ public:
   {
     std::vector<Common_point> result = with_seams();
     std::erase_if(result, [](const Common_point& x) { return x.is_repeated; });
+    settle_undecided_points(m_pair, result);
     drop_ends_of_overlaps(m_pair, result);
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     return result;

@@ -5,11 +5,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_OVERLAP_ENDS_H
 
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curve_parts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,16 +35,19 @@ class Overlap_ends
 
   const Patch_pair<d>& m_pair;
   std::vector<End> m_ends;
+  std::optional<Curve_parts<d>> m_parts;
 
 public:
   Overlap_ends(const Patch_pair<d>& pair, const std::vector<Common_point>& points) : m_pair(pair)
   {
+    if (pair.number_of_parameters() == 2 && pair.first_parameter(1) == 1)
+      m_parts.emplace(pair);
     for (const Common_point& point : points)
       if (point.kind == Intersection_kind::OVERLAP)
         add_ends(point);
   }
 
-  bool hold(const Common_point& point) const
+  bool hold(const Common_point& point)
   {
     return point.kind != Intersection_kind::OVERLAP && std::any_of(m_ends.begin(), m_ends.end(), [&](const End& end) {
       if (!has_extent(point.parameters))
@@ -106,57 +111,15 @@ private:
     return false;
   }
 
-  // Of two curves. The parts before and after the end, on both: two of these overlap, the others lead into different directions.
-  bool is_only_common_point(const Parameter_box& box, const End& end) const
-  {
-    if (box.size() != 2 || m_pair.first_parameter(1) != 1)
-      return false;
-    for (const int first_side : {0, 1})
-      for (const int second_side : {0, 1}) {
-        const Parameter_box part{side_of(box, end, 0, first_side), side_of(box, end, 1, second_side)};
-        if (has_extent(part) && !is_within(part, end.overlap->parameters) && !lead_apart(part, {first_side, second_side}))
-          return false;
-      }
-    return true;
-  }
-
-  static Parameter_range side_of(const Parameter_box& box, const End& end, std::size_t curve, int side)
-  {
-    const Exact_rational& middle = end.parameters[curve];
-    return side == 0 ? Parameter_range(box[curve].first, middle) : Parameter_range(middle, box[curve].second);
-  }
-
-  static bool is_within(const Parameter_box& box, const Parameter_box& outer)
-  {
-    for (std::size_t j = 0; j < box.size(); ++j)
-      if (box[j].first < outer[j].first || outer[j].second < box[j].second)
-        return false;
-    return true;
-  }
-
-  // By the mean value theorem, the points of a part are at the end plus something times a vector within the bounds of the derivative. Whether no vectors of the two parts have the same direction.
-  bool lead_apart(const Parameter_box& part, const std::array<int, 2>& sides) const
-  {
-    std::array<Vector_bounds<d>, 2> directions;
-    for (std::size_t k : {0, 1}) {
-      if (!(part[k].first < part[k].second))
-        continue;
-      directions[k] = m_pair[k].part(0, part[k]).tangents(0);
-      if (sides[k] == 0)
-        directions[k] = Vector_bounds<d>{} - directions[k];
-    }
-    for (std::size_t k : {0, 1})
-      if (!(part[k].first < part[k].second))   // one of them is the end alone
-        return !(squared_norm(directions[1 - k]).lower == 0);
-    return !may_be_parallel<d>(directions[0], directions[1]) || dot(directions[0], directions[1]).upper < 0;
-  }
+  // Of two curves, where all others belong to the overlap.
+  bool is_only_common_point(const Parameter_box& box, const End& end) { return m_parts && m_parts->holds_only(box, {end.parameters}, &end.overlap->parameters); }
 };
 
 template <int d>
 void drop_ends_of_overlaps(const Patch_pair<d>& pair, std::vector<Common_point>& points)
 {
   const std::vector<Common_point> all = points;
-  const Overlap_ends<d> ends(pair, all);
+  Overlap_ends<d> ends(pair, all);
   std::erase_if(points, [&](const Common_point& point) { return ends.hold(point); });
 }
 

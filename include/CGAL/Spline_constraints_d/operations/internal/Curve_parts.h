@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PARTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PARTS_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/internal/elimination_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+using Exact_parameters = std::vector<Exact_rational>;
+
+inline bool is_part_of(const Parameter_box& box, const Parameter_box& outer)
+{
+  for (std::size_t j = 0; j < box.size(); ++j)
+    if (box[j].first < outer[j].first || outer[j].second < box[j].second)
+      return false;
+  return true;
+}
+
+/*
+Two curves, for proofs that a box of their parameters holds no common points but known ones: the box is cut at breaks and at these points, then into quarters, and each part is looked at.
+*/
+template <int d>
+class Curve_parts
+{
+  using Cells = std::array<std::size_t, 2>;
+
+  const Patch_pair<d>& m_pair;
+  std::array<std::vector<Exact_rational>, 2> m_breaks;
+  std::map<Cells, std::array<std::optional<Exact_function>, 2>> m_eliminated;   // of the parameters of the first and the second curve, on their cells
+
+public:
+  // \pre the operands are curves.
+  explicit Curve_parts(const Patch_pair<d>& pair) : m_pair(pair), m_breaks{pair[0].breaks(0), pair[1].breaks(0)} {}
+
+  // The common points in a box that are breaks of both curves.
+  std::vector<Exact_parameters> common_breaks(const Parameter_box& box) const
+  {
+    std::vector<Exact_parameters> result;
+    for (const Exact_rational& t : m_breaks[0])
+      for (const Exact_rational& s : m_breaks[1])
+        if (is_part_of({{t, t}, {s, s}}, box) && m_pair[0](Exact_parameters{t}) == m_pair[1](Exact_parameters{s}))
+          result.push_back({t, s});
+    return result;
+  }
+
+  // Whether all common points in a box are given ones or belong to an overlap, where there is one.
+  bool holds_only(const Parameter_box& box, const std::vector<Exact_parameters>& points, const Parameter_box* overlap = nullptr)
+  {
+    const auto is_known = [&](const Parameter_box& part) { return (overlap && is_part_of(part, *overlap)) || leads_apart_from_one(part, points); };
+    const auto is_settled = [&](const auto& self, const Parameter_box& part, int depth) -> bool {
+      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points))
+        return true;
+      return depth > 0 && all_parts(part, {Exact_parameters{middle_of(part[0])}, Exact_parameters{middle_of(part[1])}}, [&](const Parameter_box& quarter) { return self(self, quarter, depth - 1); });
+    };
+    const auto is_settled_between_breaks = [&](const Parameter_box& part) {
+      constexpr int depth = 6;
+      return has_few_cells(part) && all_parts(part, m_breaks, [&](const Parameter_box& piece) { return is_settled(is_settled, piece, depth); });
+    };
+    return all_parts(box, {parameters(points, 0), parameters(points, 1)}, [&](const Parameter_box& part) { return is_known(part) || is_settled_between_breaks(part); });
+  }
+
+private:
+  // The parts of a box between some values of the parameters.
+  template <class Predicate>
+  static bool all_parts(const Parameter_box& box, const std::array<std::vector<Exact_rational>, 2>& cuts, const Predicate& is_true)
+  {
+    for (const Parameter_range& t : parts(box[0], cuts[0]))
+      for (const Parameter_range& s : parts(box[1], cuts[1]))
+        if (!is_true({t, s}))
+          return false;
+    return true;
+  }
+
+  // \pre The cuts ascend.
+  static std::vector<Parameter_range> parts(const Parameter_range& range, const std::vector<Exact_rational>& cuts)
+  {
+    std::vector<Parameter_range> result{range};
+    for (const Exact_rational& cut : cuts)
+      if (range.first < cut && cut < range.second) {
+        result.back().second = cut;
+        result.emplace_back(cut, range.second);
+      }
+    return result;
+  }
+
+  static bool is_end(const Exact_rational& x, const Parameter_range& range) { return x == range.first || x == range.second; }
+
+  static std::vector<Exact_rational> parameters(const std::vector<Exact_parameters>& points, std::size_t curve)
+  {
+    std::vector<Exact_rational> result;
+    for (const Exact_parameters& point : points)
+      result.push_back(point[curve]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // So that a box that a limit of the solver left is not worked on without limit.
+  bool has_few_cells(const Parameter_box& box) const
+  {
+    constexpr std::size_t most = 64;
+    return (cell_of(0, box[0]) + 1 - cell_of(0, {box[0].first, box[0].first})) * (cell_of(1, box[1]) + 1 - cell_of(1, {box[1].first, box[1].first})) <= most;
+  }
+
+  bool leads_apart_from_one(const Parameter_box& part, const std::vector<Exact_parameters>& points) const
+  {
+    return std::any_of(points.begin(), points.end(), [&](const Exact_parameters& point) { return touches(part, point) && (!has_extent(part) || lead_apart(part, point)); });
+  }
+
+  // At a corner.
+  static bool touches(const Parameter_box& part, const Exact_parameters& point) { return is_end(point[0], part[0]) && is_end(point[1], part[1]); }
+
+  bool are_apart(const Parameter_box& part) const
+  {
+    const Vector_bounds<d> difference = m_pair[0].part(0, part[0]).values() - m_pair[1].part(0, part[1]).values();
+    return std::any_of(difference.begin(), difference.end(), [](const Rational_interval& x) { return !has_zero(x); });
+  }
+
+  // By the mean value theorem, the points of a part with a known corner are there plus something times a vector within the bounds of the derivative. Whether no vectors of the two parts have the same direction.
+  bool lead_apart(const Parameter_box& part, const Exact_parameters& corner) const
+  {
+    std::array<Vector_bounds<d>, 2> directions;
+    for (const std::size_t k : {0, 1}) {
+      if (!(part[k].first < part[k].second))
+        continue;
+      directions[k] = m_pair[k].part(0, part[k]).tangents(0);
+      if (corner[k] == part[k].second)
+        directions[k] = Vector_bounds<d>{} - directions[k];
+    }
+    for (const std::size_t k : {0, 1})
+      if (!(part[k].first < part[k].second))   // one of them is the corner alone
+        return !(squared_norm(directions[1 - k]).lower == 0);
+    return !may_be_parallel<d>(directions[0], directions[1]) || dot(directions[0], directions[1]).upper < 0;
+  }
+
+  // Each parameter can have no values but ends of the part, and where both have such, there are known points or none.
+  bool is_settled_by_elimination(const Parameter_box& part, const std::vector<Exact_parameters>& points)
+  {
+    if constexpr (d == 2) {
+      std::array<Zero_places, 2> zeros;
+      for (const std::size_t k : {0, 1}) {
+        const std::optional<Exact_function>& f = eliminated(part)[k];
+        zeros[k] = !f ? Zero_places{true, true, true} : part[k].first < part[k].second ? zero_places(f->restricted(0, part[k].first, part[k].second)) : Zero_places{true, false, false};
+        if (zeros[k].are_none())
+          return true;
+      }
+      if (zeros[0].elsewhere || zeros[1].elsewhere)
+        return false;
+      const auto values = [&](std::size_t k) {
+        std::vector<Exact_rational> result;
+        if (zeros[k].at_lower_end) result.push_back(part[k].first);
+        if (zeros[k].at_upper_end) result.push_back(part[k].second);
+        return result;
+      };
+      for (const Exact_rational& t : values(0))
+        for (const Exact_rational& s : values(1))
+          if (std::find(points.begin(), points.end(), Exact_parameters{t, s}) == points.end() && m_pair[0](Exact_parameters{t}) == m_pair[1](Exact_parameters{s}))
+            return false;
+      return true;
+    }
+    return false;
+  }
+
+  const std::array<std::optional<Exact_function>, 2>& eliminated(const Parameter_box& part)
+    requires (d == 2)
+  {
+    const Cells cells{cell_of(0, part[0]), cell_of(1, part[1])};
+    const auto [entry, is_new] = m_eliminated.try_emplace(cells);
+    if (is_new) {
+      const std::array<Spline_patch<2>, 2> pieces{piece(0, cells[0]), piece(1, cells[1])};
+      for (const std::size_t k : {0, 1})
+        entry->second[k] = internal::eliminated(pieces[k], pieces[1 - k]);
+    }
+    return entry->second;
+  }
+
+  // The cell that holds a part; of two, the first.
+  std::size_t cell_of(std::size_t curve, const Parameter_range& part) const
+  {
+    const auto after = std::lower_bound(m_breaks[curve].begin() + 1, m_breaks[curve].end() - 1, part.second);
+    return static_cast<std::size_t>(after - m_breaks[curve].begin()) - 1;
+  }
+
+  Spline_patch<d> piece(std::size_t curve, std::size_t cell) const
+  {
+    const Exact_rational &begin = m_breaks[curve][cell], &end = m_breaks[curve][cell + 1];
+    Vector_of_functions<d> numerators = m_pair[curve].numerators();
+    for (Exact_function& numerator : numerators)
+      numerator = numerator.restricted(0, begin, end);
+    return {std::move(numerators), m_pair[curve].weight().restricted(0, begin, end), m_pair[curve].is_rational()};
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PARTS_H
