@@ -148,7 +148,7 @@ public:
   }
 
   /*
-  The point, the derivative and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
+  The point, the direction, that of the moving arc, and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
 
     1 + l^3 (b' x b'') / (a' x a'').
   */
@@ -158,12 +158,12 @@ public:
     const Curve_jet b = moving_arc().jet(range, 2);
     const Interval square = squared_norm(b[1]), curvature = moving.turn == Turn::STRAIGHT ? Interval(0) : cross(b[1], b[2]) / (square * CGAL::sqrt(square));
     if (turning.is_corner)
-      return {turning_arc().point({1, 1}) + b[0], b[1], curvature};
+      return {turning_arc().point({1, 1}) + b[0], b[1], Interval(1), curvature};
     const Curve_jet a = turning_arc().jet(turning_parameter(b[1]), 2);
     if (moving.turn == Turn::STRAIGHT)
-      return {a[0] + b[0], b[1], curvature};
+      return {a[0] + b[0], b[1], Interval(1), curvature};
     const Interval ratio = dot(a[1], b[1]) / square, factor = Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
-    return {a[0] + b[0], factor * b[1], curvature / factor};
+    return {a[0] + b[0], b[1], factor, curvature / factor};
   }
 
   // Tangential to the piece.
