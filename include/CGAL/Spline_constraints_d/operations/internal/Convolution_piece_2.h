@@ -166,6 +166,14 @@ public:
     return {a[0] + b[0], b[1], factor, curvature / factor};
   }
 
+  // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
+  int sign_of_speed(const Range& range) const
+  {
+    const Curve_jet b = moving_arc().jet(range, 2), a = turning_arc().jet(turning_parameter(b[1]), 2);
+    const Interval ratio = dot(a[1], b[1]) / squared_norm(b[1]);
+    return certain_sign(cross(a[1], a[2]) + ratio * CGAL::square(ratio) * cross(b[1], b[2]));
+  }
+
   // Tangential to the piece.
   Interval_pair direction(const Range& range) const { return moving_arc().jet(range, 1)[1]; }
 
@@ -208,12 +216,12 @@ private:
       place = place ? united(*place, part) : part;
   }
 
-  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements have once.
+  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements, which overlap, have once together.
   static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end, std::size_t region)
   {
     const Region_element &a = p.element(region), &b = q.element(region);
     const auto &d = p.end(p_end).direction, &e = q.end(q_end).direction;
-    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin == 1 - b.range.end && a.range.end == 1 - b.range.begin && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
+    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin < 1 - b.range.begin && 1 - b.range.end < a.range.end && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
   }
 
   // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one point, that of the first one.
