@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, and of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding. `complete` is 1 where all of the diagram is proved; of
-// chains it is the number of those.
+// Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics that cross themselves, or
+// each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those. `queries` and `wrong` are numbers of random points and of those for which another site is nearer than the one that is found.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
@@ -14,7 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
@@ -89,6 +92,107 @@ void diagrams_of_closed_chains(benchmark::State& state)
   }
 }
 BENCHMARK(diagrams_of_closed_chains)->Arg(50)->Unit(benchmark::kMillisecond);
+
+// Each has its control points within its cell, or within a square around it that is larger by half of a cell on all sides.
+std::vector<Curve> random_scene(unsigned seed, std::size_t count, bool are_crossing)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> coordinate(are_crossing ? -0.5 : 0.1, are_crossing ? 1.5 : 0.9);
+  const std::size_t columns = static_cast<std::size_t>(std::ceil(std::sqrt(count)));
+  std::vector<Curve> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<K::Point_2> points;
+    for (int k = 0; k < 4; ++k) {
+      const double x = static_cast<double>(i % columns) + coordinate(generator), y = static_cast<double>(i / columns) + coordinate(generator);
+      points.emplace_back(x, y);
+    }
+    result.push_back(SC::bezier_curve(points));
+  }
+  return result;
+}
+
+// V - E + F = 1 + C on the sphere, where infinity is one vertex, the last one here.
+bool satisfies_euler(const SC::Voronoi_diagram_2<K>& diagram)
+{
+  const std::size_t infinity = diagram.vertices().size();
+  const auto vertex = [&](std::size_t i) { return diagram.vertices()[i].is_at_infinity ? infinity : i; };
+  std::vector<std::size_t> parents(infinity + 1);
+  std::iota(parents.begin(), parents.end(), 0);
+  const auto root = [&](std::size_t i) {
+    while (parents[i] != i)
+      i = parents[i];
+    return i;
+  };
+  for (const auto& edge : diagram.edges())
+    parents[root(vertex(edge.vertices[0]))] = root(vertex(edge.vertices[1]));
+  std::set<std::size_t> vertices, components;
+  for (std::size_t i = 0; i < infinity; ++i) {
+    vertices.insert(vertex(i));
+    components.insert(root(vertex(i)));
+  }
+  return vertices.size() + diagram.number_of_regions() == diagram.edges().size() + 1 + components.size();
+}
+
+// Two scenes of each number of cubics: `consistent` is the number of those that satisfy Euler's formula.
+void diagrams_of_random_scenes(benchmark::State& state)
+{
+  for (auto _ : state) {
+    double scenes = 0, complete = 0, consistent = 0;
+    for (unsigned count = 2; count <= 51; ++count)
+      for (const bool are_crossing : {false, true}) {
+        const auto diagram = SC::voronoi_diagram(random_scene(42 + count, count, are_crossing));
+        ++scenes;
+        complete += diagram.is_complete();
+        consistent += satisfies_euler(diagram);
+      }
+    state.counters["scenes"] = scenes;
+    state.counters["complete"] = complete;
+    state.counters["consistent"] = consistent;
+  }
+}
+BENCHMARK(diagrams_of_random_scenes)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+// In one diagram. No sample of any curve is nearer than the site that is found by more than a step between samples.
+void nearest_sites_of_random_points(benchmark::State& state)
+{
+  constexpr int samples = 400;
+  const std::vector<Curve> curves = random_scene(1, 10, false);
+  const auto diagram = SC::voronoi_diagram(curves);
+  std::vector<std::vector<K::Point_2>> along(curves.size());
+  double step = 0;
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (int i = 0; i <= samples; ++i) {
+      const K::Point_2 p = curves[c](static_cast<double>(i) / samples);
+      step = i == 0 ? step : std::max(step, std::sqrt(CGAL::squared_distance(along[c].back(), p)));
+      along[c].push_back(p);
+    }
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> coordinate(-1, 5);
+  std::vector<K::Point_2> queries;
+  for (int i = 0; i < state.range(0); ++i) {
+    const double x = coordinate(generator), y = coordinate(generator);
+    queries.emplace_back(x, y);
+  }
+  std::vector<std::vector<std::size_t>> found(queries.size());
+  for (auto _ : state)
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      found[i] = diagram.nearest_sites(queries[i]);
+  double wrong = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    std::vector<double> distances;
+    for (const auto& points : along) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const K::Point_2& p : points)
+        least = std::min(least, CGAL::squared_distance(queries[i], p));
+      distances.push_back(std::sqrt(least));
+    }
+    const double least = *std::min_element(distances.begin(), distances.end());
+    wrong += found[i].empty() || std::any_of(found[i].begin(), found[i].end(), [&](std::size_t site) { return distances[diagram.sites()[site].curve] > least + step; });
+  }
+  state.counters["queries"] = static_cast<double>(queries.size());
+  state.counters["wrong"] = wrong;
+}
+BENCHMARK(nearest_sites_of_random_points)->Arg(100000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void diagram_of_points(benchmark::State& state)
 {

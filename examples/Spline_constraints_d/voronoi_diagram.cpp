@@ -38,6 +38,7 @@ int main(int argc, char* argv[])
     SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
     const char* const colors[] = {"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a", "#ff9896", "#c5b0d5", "#f7d7a0"};
     std::vector<std::vector<K::Point_2>> edges;
+    picture.layer("cells");
     for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
       const auto samples = diagram.polyline(e, size / 2000, size);
       edges.emplace_back();
@@ -52,12 +53,15 @@ int main(int argc, char* argv[])
           picture.polygon(cell, colors[site.curve % 7]);
       }
     }
+    picture.layer("edges");
     for (const auto& edge : edges)
       if (edge.size() > 1)
         picture.curve(SC::polyline_curve(edge), "#d62728", 1.5);
+    picture.layer("sites");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 
+    picture.layer("vertices");
     std::size_t branching = 0;
     for (const auto& vertex : diagram.vertices())
       if (!vertex.is_at_infinity && vertex.edges.size() > 2) {

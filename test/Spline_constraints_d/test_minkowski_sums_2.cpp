@@ -323,6 +323,22 @@ TEST(minkowski_sums_2, equal_regions)
   EXPECT_EQ(area(SC::minkowski_sum(letter(), letter())), 152.2);
 }
 
+// Nearly straight reflex corners of the star, into which the kidney does not fit by a millionth of its size.
+TEST(minkowski_sums_2, flat_corners)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(0, 0.5), length(2, 4);
+  std::vector<Point> star;
+  for (int i = 0; i < 10; ++i) {
+    const double angle = 2 * CGAL_PI * (i + part(random)) / 10, radius = length(random);
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  const Sum sum = SC::minkowski_sum(kidney(), polygon(star)), other = SC::minkowski_sum(polygon(star), kidney());
+  expect_complete(sum, 1, 0);
+  expect_complete(other, 1, 0);
+  EXPECT_NEAR(area(sum), area(other), 1e-3);
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

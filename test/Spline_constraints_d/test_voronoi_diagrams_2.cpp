@@ -93,6 +93,16 @@ TEST(VoronoiDiagrams, TwoCubics)
   expect_empty_disks(diagram, curves);
 }
 
+// Its narrow turn is nearest to the begin on the side that does not come next around the begin, while the other side has the begin as a contact, too.
+TEST(VoronoiDiagrams, CubicWithANarrowTurn)
+{
+  const Curves curves{bezier({P(1.1604, 2.6275), P(1.4585, 2.1156), P(1.72, 2.7627), P(1.71, 2.741)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 // A closed curve of one piece begins and ends in its corner.
 TEST(VoronoiDiagrams, ClosedCubicWithACorner)
 {

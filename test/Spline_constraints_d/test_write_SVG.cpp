@@ -72,6 +72,28 @@ TEST(Write_SVG, polynomial_curves_are_read_back_exactly)
     EXPECT_TRUE(again[i] == curves[i]) << i;
 }
 
+// Groups with names, one after the other; the curves in them are read back in their order.
+TEST(Write_SVG, layers)
+{
+  std::ostringstream out;
+  const std::vector<Curve> curves{SC::segment_curve(Point(0, 0), Point(1, 2)), SC::segment_curve(Point(1, 1), Point(2, 0)), SC::segment_curve(Point(2, 2), Point(0, 1))};
+  {
+    SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 2, 2));
+    writer.curve(curves[0]);
+    writer.layer("sites");
+    writer.curve(curves[1]);
+    writer.layer("the user's <edges>");
+    writer.curve(curves[2]);
+  }
+  const std::string text = out.str();
+  const auto first = text.find("<g inkscape:groupmode='layer' inkscape:label='sites'>"), second = text.find("</g>\n<g inkscape:groupmode='layer' inkscape:label='the user&apos;s &lt;edges&gt;'>");
+  ASSERT_NE(first, std::string::npos);
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(first, second);
+  EXPECT_TRUE(text.ends_with("/>\n</g>\n</g>\n</svg>\n"));
+  EXPECT_TRUE(read(text) == curves);
+}
+
 TEST(Write_SVG, chords_are_near_the_curve)
 {
   const Curve circle = SC::circle_curve(Point(1, 2), FT(5));

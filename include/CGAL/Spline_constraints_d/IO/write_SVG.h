@@ -36,6 +36,8 @@ std::string coordinate_text(const Point& p)
 
 Draws curves, polygons, points and labels as SVG, with the \f$y\f$-axis upwards, on white.
 
+What is drawn may be put into layers with names, which programs for drawings, such as Inkscape, show and hide one by one.
+
 Colors are those of SVG, for instance `red` or `#1f77b4`; widths of strokes, diameters of points and sizes of letters are in pixels. `read_SVG()` reads the curves of the
 drawing
 back; those that are polynomial of degree three at most, exactly, if the control points of their Bézier pieces are numbers of 60 decimals at most.
@@ -44,6 +46,7 @@ class SVG_writer
 {
   std::ostream& m_out;
   double m_pixel;
+  bool m_has_layer = false;
 
 public:
   /*!
@@ -59,7 +62,7 @@ public:
     if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 && h > 0 && m_pixel > 0))
       throw Invalid_input("SVG_writer: the view or its width has no extent, or is not finite");
     const auto text = internal::double_text;
-    m_out << "<svg xmlns='http://www.w3.org/2000/svg' style='background: white' viewBox='" << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h)
+    m_out << "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' style='background: white' viewBox='" << text(view.xmin()) << ' ' << text(-view.ymax()) << ' ' << text(w) << ' ' << text(h)
           << "' width='" << text(width) << "' height='" << text(h / m_pixel) << "'>\n"
           << "<g transform='scale(1 -1)' fill='none' font-family='sans-serif'>\n";
   }
@@ -68,7 +71,14 @@ public:
   SVG_writer& operator=(const SVG_writer&) = delete;
 
   //! ends the drawing.
-  ~SVG_writer() { m_out << "</g>\n</svg>\n"; }
+  ~SVG_writer() { m_out << (m_has_layer ? "</g>\n" : "") << "</g>\n</svg>\n"; }
+
+  //! begins a layer, above those before, which ends where the next one begins.
+  void layer(const std::string& name)
+  {
+    m_out << (m_has_layer ? "</g>\n" : "") << "<g inkscape:groupmode='layer' inkscape:label='" << escaped(name) << "'>\n";
+    m_has_layer = true;
+  }
 
   /*!
   draws a curve: if it is polynomial of degree three at most, as a path of lines and Bézier curves with its own control points (coordinates without an end after 60
@@ -141,7 +151,7 @@ private:
   {
     std::string result;
     for (const char c : text)
-      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+      result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '\'' ? "&apos;" : std::string(1, c);
     return result;
   }
 };

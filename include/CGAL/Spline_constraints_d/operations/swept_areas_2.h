@@ -62,7 +62,7 @@ Minkowski_sum_2<Kernel> swept_area(const Planar_region_2<Kernel>& region, const 
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of areas. `Minkowski_sum_2::is_complete()` may be false where one curve begins to follow an envelope inside of the result.
+what a curve covers when it is moved along another one, without being turned: \f$\{C_1(u) + C_2(v)\}\f$. Parts where this is a curve alone, as where both are segments on parallel lines, are not in the result, which has boundaries of areas.
 
 \param curve the curve.
 \param path the other curve. The index of each is zero in the arcs of the result.

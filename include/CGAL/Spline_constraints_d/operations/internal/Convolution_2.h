@@ -213,7 +213,7 @@ private:
       ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
     }
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
-    if (first > 0 && last > 0 && certain_sign(dot(piece(b.range).tangent, jet[1])) > 0)
+    if (first > 0 && last > 0 && (a.is_corner || piece.sign_of_speed(b.range) > 0))
       m_pieces.push_back(piece);
     else
       add_doubtful(piece(b.range).point);
@@ -246,8 +246,7 @@ private:
   // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.
   void append_by_sign(const Convolution_piece_2& piece, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
   {
-    const Interval_pair direction = piece.arc(piece.element(0).turn == Turn::RIGHT ? 0 : 1).jet(range, 1)[1];
-    const int sign = certain_sign(dot(piece(range).tangent, direction));
+    const int sign = piece.sign_of_speed(range);
     if (sign != 0 || range.width() <= width) {
       if (sign >= 0)
         append(range, sign > 0 ? positive : unknown);

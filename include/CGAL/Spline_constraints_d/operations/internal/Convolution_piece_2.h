@@ -148,7 +148,7 @@ public:
   }
 
   /*
-  The point, the derivative and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
+  The point, the direction, that of the moving arc, and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
 
     1 + l^3 (b' x b'') / (a' x a'').
   */
@@ -158,12 +158,20 @@ public:
     const Curve_jet b = moving_arc().jet(range, 2);
     const Interval square = squared_norm(b[1]), curvature = moving.turn == Turn::STRAIGHT ? Interval(0) : cross(b[1], b[2]) / (square * CGAL::sqrt(square));
     if (turning.is_corner)
-      return {turning_arc().point({1, 1}) + b[0], b[1], curvature};
+      return {turning_arc().point({1, 1}) + b[0], b[1], Interval(1), curvature};
     const Curve_jet a = turning_arc().jet(turning_parameter(b[1]), 2);
     if (moving.turn == Turn::STRAIGHT)
-      return {a[0] + b[0], b[1], curvature};
+      return {a[0] + b[0], b[1], Interval(1), curvature};
     const Interval ratio = dot(a[1], b[1]) / square, factor = Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
-    return {a[0] + b[0], factor * b[1], curvature / factor};
+    return {a[0] + b[0], b[1], factor, curvature / factor};
+  }
+
+  // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
+  int sign_of_speed(const Range& range) const
+  {
+    const Curve_jet b = moving_arc().jet(range, 2), a = turning_arc().jet(turning_parameter(b[1]), 2);
+    const Interval ratio = dot(a[1], b[1]) / squared_norm(b[1]);
+    return certain_sign(cross(a[1], a[2]) + ratio * CGAL::square(ratio) * cross(b[1], b[2]));
   }
 
   // Tangential to the piece.
@@ -208,12 +216,12 @@ private:
       place = place ? united(*place, part) : part;
   }
 
-  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements have once.
+  // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements, which overlap, have once together.
   static bool are_opposite(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end, std::size_t region)
   {
     const Region_element &a = p.element(region), &b = q.element(region);
     const auto &d = p.end(p_end).direction, &e = q.end(q_end).direction;
-    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin == 1 - b.range.end && a.range.end == 1 - b.range.begin && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
+    return !a.is_corner && !b.is_corner && (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && p.m_regions[region]->is_other_side(a.arc, b.arc) && a.range.begin < 1 - b.range.begin && 1 - b.range.end < a.range.end && d && e && sign_of(exact_cross(*d, *e)) == 0 && sign_of(exact_dot(*d, *e)) < 0;
   }
 
   // The number of the joint that a region is at in an end of the piece. At a corner, whose elements are all at one point, that of the first one.

@@ -70,6 +70,16 @@ public:
     return m_crossings;
   }
 
+  // Whether a line about tangential to a part of a curve separates it from a box; see below.
+  static bool is_beside(const Traced_curve_2& curve, const Part& part, const Interval_pair& box)
+  {
+    const Range &range = part.range(), &inner = curve.inner_range();
+    if (!(inner.begin <= range.middle() && range.middle() <= inner.end))
+      return false;
+    const Interval_pair normal = turned_left(middle_of(part.direction()));
+    return certain_sign(dot(normal, box - part.middle_point()) - part.speed() * dot(normal, part.direction()) * (range.interval() - Interval(range.middle()))) != 0;
+  }
+
 private:
   bool is_done() const { return m_is_first_enough && !m_crossings.empty() && m_crossings.back().is_certain; }
 
@@ -110,19 +120,19 @@ private:
     return length > 0 ? Interval_pair{Interval(x / length), Interval(y / length)} : v;
   }
 
-  // By a line parallel to an axis or about tangential to one of the curves, whose points are middle + tangent * s by the mean value theorem.
+  // By a line parallel to an axis or about tangential to one of the curves, whose points are middle + derivative * s by the mean value theorem.
   bool are_separated(const Pair& parts) const
   {
     if (!may_meet(m_views[0].box(*parts[0]), m_views[1].box(*parts[1])))
       return true;
-    const std::array<Interval_pair, 2> tangents{m_views[0].tangent(*parts[0]), m_views[1].tangent(*parts[1])};
+    const std::array<Interval_pair, 2> directions{m_views[0].direction(*parts[0]), m_views[1].direction(*parts[1])};
     if (!has_middle(0, parts[0]->range()) || !has_middle(1, parts[1]->range()))
       return false;
     const Interval_pair between = m_views[0].middle_point(*parts[0]) - m_views[1].middle_point(*parts[1]);
-    const auto step = [&](std::size_t k) { return parts[k]->range().interval() - Interval(parts[k]->range().middle()); };
-    return std::any_of(tangents.begin(), tangents.end(), [&](const Interval_pair& tangent) {
-      const Interval_pair normal = turned_left(middle_of(tangent));
-      return certain_sign(dot(normal, between) + dot(normal, tangents[0]) * step(0) - dot(normal, tangents[1]) * step(1)) != 0;
+    const auto step = [&](std::size_t k) { return parts[k]->speed() * (parts[k]->range().interval() - Interval(parts[k]->range().middle())); };
+    return std::any_of(directions.begin(), directions.end(), [&](const Interval_pair& direction) {
+      const Interval_pair normal = turned_left(middle_of(direction));
+      return certain_sign(dot(normal, between) + dot(normal, directions[0]) * step(0) - dot(normal, directions[1]) * step(1)) != 0;
     });
   }
 
@@ -160,9 +170,9 @@ private:
     std::array<Interval_pair, 2> directions;   // from the end
     std::array<Interval, 2> curvatures;
     for (const std::size_t k : {0, 1}) {
-      const Interval_pair tangent = m_views[k].tangent(*parts[k]);
+      const Interval_pair direction = m_views[k].direction(*parts[k]);
       const Interval& curvature = parts[k]->curvature();
-      directions[k] = end.ends[k] == 0 ? tangent : Interval_pair{-tangent[0], -tangent[1]};
+      directions[k] = end.ends[k] == 0 ? direction : Interval_pair{-direction[0], -direction[1]};
       curvatures[k] = end.ends[k] == 0 ? curvature : -curvature;
     }
     if (certain_sign(cross(directions[0], directions[1])) != 0)
@@ -177,13 +187,14 @@ private:
   {
     constexpr double enough = 0.75;
     std::array<Range, 2> ranges{parts[0]->range(), parts[1]->range()};
-    std::array<Interval_pair, 2> tangents{m_views[0].tangent(*parts[0]), m_views[1].tangent(*parts[1])}, middles{m_views[0].middle_point(*parts[0]), m_views[1].middle_point(*parts[1])};
+    std::array<Interval_pair, 2> directions{m_views[0].direction(*parts[0]), m_views[1].direction(*parts[1])}, middles{m_views[0].middle_point(*parts[0]), m_views[1].middle_point(*parts[1])};
+    std::array<Interval, 2> speeds{parts[0]->speed(), parts[1]->speed()};
     for (bool is_certain = false;;) {
-      const Interval determinant = cross(tangents[0], tangents[1]);
-      if (certain_sign(determinant) == 0 || !has_middle(0, ranges[0]) || !has_middle(1, ranges[1]))
+      const Interval determinant = cross(directions[0], directions[1]);
+      if (certain_sign(determinant) == 0 || certain_sign(speeds[0]) == 0 || certain_sign(speeds[1]) == 0 || !has_middle(0, ranges[0]) || !has_middle(1, ranges[1]))
         return false;
       const Interval_pair between = middles[1] - middles[0];
-      const std::array<Interval, 2> steps{cross(between, tangents[1]) / determinant, cross(between, tangents[0]) / determinant};
+      const std::array<Interval, 2> steps{cross(between, directions[1]) / (determinant * speeds[0]), cross(between, directions[0]) / (determinant * speeds[1])};
       bool is_inside = true, is_shorter = false;
       std::array<Range, 2> next;
       for (std::size_t k = 0; k < 2; ++k) {
@@ -204,7 +215,8 @@ private:
       ranges = next;
       for (std::size_t k = 0; k < 2; ++k) {
         const Part part = m_views[k].curve().part(ranges[k]);
-        tangents[k] = m_views[k].tangent(part);
+        directions[k] = m_views[k].direction(part);
+        speeds[k] = part.speed();
         middles[k] = m_views[k].middle_point(part);
       }
     }

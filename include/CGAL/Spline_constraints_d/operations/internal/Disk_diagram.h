@@ -304,9 +304,6 @@ private:
       return stretch(m_halfedges[other].parts.front()).corner ? other : none;
     }
     for (const Part& part : h.parts)
-      if (const std::size_t twin = twin_at_tip(part); twin != none)
-        return twin;
-    for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
         const Range& range = stretch(part).range;
         const Disk d = disk(part, range.begin + share * range.width());
@@ -316,10 +313,13 @@ private:
         if (const std::size_t twin = halfedge_at(*touched, front(part)); twin != none)
           return twin;
       }
+    for (const Part& part : h.parts)
+      if (const std::size_t twin = twin_at_tip(part); twin != none)
+        return twin;
     return none;
   }
 
-  // Where a fan has its contact on an arc that begins or ends there, on the side that comes next: without the disk, which may be too near to the vertex.
+  // Where a fan has its contact on an arc that begins or ends there, on the side that comes next: without the disk, which is too near to the vertex to tell. (Elsewhere the arc may come back, so that it is the other side.)
   std::size_t twin_at_tip(const Part& part) const
   {
     const Disk_contact& contact = stretch(part).contact;

@@ -231,7 +231,7 @@ private:
       const double t = section.range.begin + places[static_cast<std::size_t>(trial) % places.size()] * section.range.width();
       const Traced_jet jet = m_curves[section.piece]({t, t});
       const Interval_pair& point = jet.point;
-      const double x = jet.tangent[0].inf(), y = jet.tangent[1].inf(), length = std::hypot(x, y);
+      const double x = jet.direction[0].inf(), y = jet.direction[1].inf(), length = std::hypot(x, y);
       if (!(length > 0) || !std::isfinite(length))
         continue;
       const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
@@ -246,9 +246,10 @@ private:
     return CGAL::Uncertain<bool>::indeterminate();
   }
 
+  // By an axis, or a line along the curve.
   static bool is_apart(const Traced_curve_2& curve, const Traced_curve_2::Part& part, const Interval_pair& box)
   {
-    if (!may_meet(part.box(), box))
+    if (!may_meet(part.box(), box) || Crossing_finder_2::is_beside(curve, part, box))
       return true;
     if (part.range().width() <= least_width)
       return false;
@@ -298,9 +299,9 @@ private:
       const Range &range = sections[i].range, &outer = sections[i].outer_range;
       const Traced_jet jet = m_curves[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
       if (end == 0)
-        result.push_back({jet.tangent, jet.curvature});
+        result.push_back({jet.direction, jet.curvature});
       else
-        result.push_back({{-jet.tangent[0], -jet.tangent[1]}, -jet.curvature});
+        result.push_back({{-jet.direction[0], -jet.direction[1]}, -jet.curvature});
     }
     return result;
   }

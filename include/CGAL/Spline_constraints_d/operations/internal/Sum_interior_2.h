@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Crossing_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Region_elements_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Tangential_crossing_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Traced_curve_2.h>
 
 #include <CGAL/Uncertain.h>
@@ -35,7 +36,7 @@ public:
         m_arcs[k].emplace_back(
           [&arc](const Range& range) {
             const Curve_jet jet = arc.jet(range, 1);
-            return Traced_jet{jet[0], jet[1], Interval(0)};   // curvatures are not needed
+            return Traced_jet{jet[0], jet[1], Interval(1), Interval(0)};   // curvatures are not needed
           },
           Range{0, 1}, Range{0, 1});
   }
@@ -50,7 +51,7 @@ public:
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
         for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
-          if (crossing.is_certain)
+          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges))
             return true;
           else
             is_decided = false;

@@ -19,11 +19,11 @@ namespace internal {
 inline bool may_meet(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
 inline bool may_meet(const Interval_pair& a, const Interval_pair& b) { return may_meet(a[0], b[0]) && may_meet(a[1], b[1]); }
 
-// A point of a curve, its derivative and its curvature, if needed, or enclosures of them over a range.
+// A point of a curve, its direction, its derivative divided by this, and its curvature, if needed, or enclosures of them over a range. The direction is known well where the derivative is nearly zero, as near a cusp.
 struct Traced_jet
 {
-  Interval_pair point, tangent;
-  Interval curvature;
+  Interval_pair point, direction;
+  Interval speed, curvature;
 };
 
 /*
@@ -48,7 +48,8 @@ public:
     const Range& range() const { return m_range; }
     const Interval_pair& middle_point() const { return m_middle_point; }
     const Interval_pair& box() const { return m_jet.point; }
-    const Interval_pair& tangent() const { return m_jet.tangent; }
+    const Interval_pair& direction() const { return m_jet.direction; }
+    const Interval& speed() const { return m_jet.speed; }
     const Interval& curvature() const { return m_jet.curvature; }
   };
 
@@ -100,9 +101,14 @@ public:
   const Traced_curve_2& curve() const { return *m_curve; }
   Interval_pair box(const Part& part) const { return seen(part.box()); }
   Interval_pair middle_point(const Part& part) const { return seen(part.middle_point()); }
-  Interval_pair tangent(const Part& part) const { return m_offset ? Interval_pair{-part.tangent()[0], -part.tangent()[1]} : part.tangent(); }
+  Interval_pair direction(const Part& part) const { return seen_direction(part.direction()); }
+
+  // The same over any range.
+  Interval_pair point(const Range& range) const { return seen((*m_curve)(range).point); }
+  Interval_pair direction(const Range& range) const { return seen_direction((*m_curve)(range).direction); }
 
 private:
+  Interval_pair seen_direction(const Interval_pair& direction) const { return m_offset ? Interval_pair{-direction[0], -direction[1]} : direction; }
   Interval_pair seen(const Interval_pair& point) const { return m_offset ? *m_offset - point : point; }
 };
 

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Diagrams and offsets that CGAL knows as well: of circles, by its Apollonius graph; of segments and points, by its segment Delaunay graph; of polygons, by its approximated offsets.
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+
+#include <CGAL/Apollonius_graph_2.h>
+#include <CGAL/Apollonius_graph_traits_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Segment_Delaunay_graph_2.h>
+#include <CGAL/Segment_Delaunay_graph_traits_2.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/approximated_offset_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace {
+
+using Double_kernel = CGAL::Simple_cartesian<double>;
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// All vertices are those of CGAL, as many as its graph has finite faces.
+void expect_vertices(const Diagram& diagram, const std::vector<P>& expected, std::size_t number)
+{
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(expected.size(), number);
+  EXPECT_GT(number, 2U);
+  for (const P& p : expected)
+    EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && distance(v.point, p) < 1e-6 * (1 + v.radius); })) << p;
+}
+
+TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
+{
+  using Traits = CGAL::Apollonius_graph_traits_2<Double_kernel>;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> sixteenths(48, 112), radii(8, 40);
+  Curves circles;
+  CGAL::Apollonius_graph_2<Traits> graph;
+  for (int i = 0; i < 5; ++i) {
+    const double x = 10 * (i % 2) + sixteenths(random) / 16.0, y = 10 * (i / 2) + sixteenths(random) / 16.0, radius = radii(random) / 16.0;
+    circles.push_back(SC::circle_curve(P(x, y), radius));
+    graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
+  }
+  std::vector<P> expected;
+  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
+    const auto p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(), face->vertex(2)->site());
+    expected.emplace_back(p.x(), p.y());
+  }
+  const Diagram diagram = SC::voronoi_diagram(circles);
+  expect_vertices(diagram, expected, counts(diagram).branching);
+}
+
+TEST(ComparisonsWithCGAL, SegmentsAndSegmentDelaunayGraph)
+{
+  using Traits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Double_kernel, CGAL::Field_with_sqrt_tag>;
+  using Site_point = Double_kernel::Point_2;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(1, 9);
+  Curves segments;
+  std::vector<P> points;
+  CGAL::Segment_Delaunay_graph_2<Traits> graph;
+  for (int i = 0; i < 12; ++i) {
+    const auto in_cell = [&] {
+      const double x = 10 * (i % 4) + coordinate(random), y = 10 * (i / 4) + coordinate(random);
+      return P(x, y);
+    };
+    const P p = in_cell(), q = in_cell();
+    if (i % 3 == 2) {
+      points.push_back(p);
+      graph.insert(Site_point(p.x(), p.y()));
+    } else {
+      segments.push_back(bezier({p, q}));
+      graph.insert(Site_point(p.x(), p.y()), Site_point(q.x(), q.y()));
+    }
+  }
+  std::vector<P> expected;
+  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
+    const Site_point p = graph.primal(face);
+    expected.emplace_back(p.x(), p.y());
+  }
+  const Diagram diagram = SC::voronoi_diagram(segments, points);
+  expect_vertices(diagram, expected, counts(diagram).branching + counts(diagram).passing);
+}
+
+// Of chords, and of what is between them and arcs of circles.
+template <class Polygon>
+double area_with_arcs(const Polygon& polygon)
+{
+  double result = 0;
+  for (auto arc = polygon.curves_begin(); arc != polygon.curves_end(); ++arc) {
+    const double x = CGAL::to_double(arc->source().x()), y = CGAL::to_double(arc->source().y()), u = CGAL::to_double(arc->target().x()), v = CGAL::to_double(arc->target().y());
+    result += (x * v - u * y) / 2;
+    if (arc->is_circular()) {
+      const double square = CGAL::to_double(arc->supporting_circle().squared_radius()), angle = 2 * std::asin((std::min)(1.0, std::hypot(u - x, v - y) / (2 * std::sqrt(square))));
+      result += (arc->orientation() == CGAL::COUNTERCLOCKWISE ? 1 : -1) * square / 2 * (angle - std::sin(angle));
+    }
+  }
+  return result;
+}
+
+double area(const SC::Trimmed_offset_2<K>& offset)
+{
+  double result = 0;
+  for (const auto& polygon : offset.polygons_with_holes(1e-5)) {
+    result += polygon.outer_boundary().area();
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      result += hole->area();
+  }
+  return result;
+}
+
+TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(0, 0.5), length(2, 6);
+  for (int run = 0; run < 2; ++run) {
+    CGAL::Polygon_2<K> star;
+    CGAL::Polygon_2<Exact_kernel> exact;
+    for (int i = 0; i < 9; ++i) {
+      const double angle = 2 * CGAL_PI * (i + part(random)) / 9, radius = length(random);
+      star.push_back(P(radius * std::cos(angle), radius * std::sin(angle)));
+      exact.push_back(Exact_kernel::Point_2(star[star.size() - 1].x(), star[star.size() - 1].y()));
+    }
+    const auto region = SC::planar_region(star);
+    const auto outer = CGAL::approximated_offset_2(exact, Exact_kernel::FT(0.5), 1e-6);
+    double expected = area_with_arcs(outer.outer_boundary());
+    for (auto hole = outer.holes_begin(); hole != outer.holes_end(); ++hole)
+      expected += area_with_arcs(*hole);
+    const auto grown = SC::trimmed_offset(region, 0.5), shrunk = SC::trimmed_offset(region, -0.5);
+    EXPECT_TRUE(grown.is_complete());
+    EXPECT_NEAR(area(grown), expected, 1e-3);
+    std::vector<CGAL::Gps_circle_segment_traits_2<Exact_kernel>::Polygon_2> inner;
+    CGAL::approximated_inset_2(exact, Exact_kernel::FT(0.5), 1e-6, std::back_inserter(inner));
+    EXPECT_FALSE(inner.empty());
+    expected = 0;
+    for (const auto& polygon : inner)
+      expected += std::abs(area_with_arcs(polygon));   // they are clockwise
+    EXPECT_TRUE(shrunk.is_complete());
+    EXPECT_EQ(shrunk.boundaries().size(), inner.size());
+    EXPECT_NEAR(area(shrunk), expected, 1e-3);
+  }
+}
+
+} // namespace
