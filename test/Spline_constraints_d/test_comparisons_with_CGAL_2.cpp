@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Diagrams and offsets that CGAL knows as well: of circles, by its Apollonius graph; of segments and points, by its segment Delaunay graph; of polygons, by its approximated offsets.
+#include "polygon_area.h"
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -109,17 +110,6 @@ double area_with_arcs(const Polygon& polygon)
   return result;
 }
 
-double area(const SC::Trimmed_offset_2<K>& offset)
-{
-  double result = 0;
-  for (const auto& polygon : offset.polygons_with_holes(1e-5)) {
-    result += polygon.outer_boundary().area();
-    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
-      result += hole->area();
-  }
-  return result;
-}
-
 TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
 {
   std::mt19937 random(3);
@@ -139,7 +129,7 @@ TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
       expected += area_with_arcs(*hole);
     const auto grown = SC::trimmed_offset(region, 0.5), shrunk = SC::trimmed_offset(region, -0.5);
     EXPECT_TRUE(grown.is_complete());
-    EXPECT_NEAR(area(grown), expected, 1e-3);
+    EXPECT_NEAR(total_area(grown.polygons_with_holes(1e-5)), expected, 1e-3);
     std::vector<CGAL::Gps_circle_segment_traits_2<Exact_kernel>::Polygon_2> inner;
     CGAL::approximated_inset_2(exact, Exact_kernel::FT(0.5), 1e-6, std::back_inserter(inner));
     EXPECT_FALSE(inner.empty());
@@ -148,7 +138,7 @@ TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
       expected += std::abs(area_with_arcs(polygon));   // they are clockwise
     EXPECT_TRUE(shrunk.is_complete());
     EXPECT_EQ(shrunk.boundaries().size(), inner.size());
-    EXPECT_NEAR(area(shrunk), expected, 1e-3);
+    EXPECT_NEAR(total_area(shrunk.polygons_with_holes(1e-5)), expected, 1e-3);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Voronoi diagrams and offsets of curves with joints that are smooth but for rounding: as complete as those of exactly smooth ones, with the same areas, and with the bisector of each corner.
+#include "polygon_area.h"
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
@@ -79,13 +80,7 @@ double area(const Curves& curves, double radius)
 {
   const SC::Trimmed_offset_2<K> offset = SC::trimmed_offset(curves, radius);
   EXPECT_TRUE(offset.is_complete());
-  double result = 0;
-  for (const auto& polygon : offset.polygons_with_holes(1e-5)) {
-    result += polygon.outer_boundary().area();
-    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
-      result += hole->area();
-  }
-  return result;
+  return total_area(offset.polygons_with_holes(1e-5));
 }
 
 // On a grid the joints are exactly smooth, turned they are not.

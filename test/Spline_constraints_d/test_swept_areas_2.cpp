@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Swept areas: of squares and a disk in closed form; of a star along cubics, sums of points are inside, and what no point of the star passes is outside; of arcs along cubics, by random points and their share.
+#include "polygon_area.h"
+
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
@@ -31,16 +33,7 @@ Curve circle(double radius) { return SC::ellipse_curve(P(0, 0), K::Vector_2(radi
 SC::Planar_region_2<K> disk(double radius) { return SC::planar_region(circle(radius)); }
 SC::Planar_region_2<K> unit_square() { return SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0)})); }
 
-double area(const Sum& sum, double error = 1e-6)
-{
-  double result = 0;
-  for (const auto& polygon : sum.polygons_with_holes(error)) {
-    result += polygon.outer_boundary().area();
-    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
-      result += hole->area();
-  }
-  return result;
-}
+double area(const Sum& sum, double error = 1e-6) { return total_area(sum.polygons_with_holes(error)); }
 
 void expect_area(const Sum& sum, double expected, std::size_t boundaries)
 {

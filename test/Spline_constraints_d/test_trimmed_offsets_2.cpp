@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Trimmed offsets: areas in closed form, events at known radii and parameters; of curves that cross each other, every point has the distance, the area is that found by random points, and motions do not change anything.
+#include "polygon_area.h"
+
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
@@ -37,16 +39,7 @@ Curves polygon_sides(const std::vector<P>& corners)
   return sides;
 }
 
-double area(const Offset& offset, double error = 1e-4)
-{
-  double result = 0;
-  for (const auto& polygon : offset.polygons_with_holes(error)) {
-    result += polygon.outer_boundary().area();
-    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
-      result += hole->area();
-  }
-  return result;
-}
+double area(const Offset& offset) { return total_area(offset.polygons_with_holes(1e-4)); }
 
 struct Counts
 {

@@ -106,8 +106,8 @@ public:
       const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return internal::distance_from_middle(coordinates(from.second), coordinates(middle.second), coordinates(to.second)) <= error; };
       std::vector<Located> along{located(part.begin)};
       internal::append_samples(along, located(part.end), between, is_chord);
-      for (const Located& place : along)
-        result.push_back(place.second);
+      for (std::size_t i = result.empty() ? 0 : 1; i < along.size(); ++i)   // parts share their ends
+        result.push_back(along[i].second);
     }
     return result;
   }
@@ -139,10 +139,11 @@ private:
             in_order(curve_parameter(front.is_fan, front.object, u), curve_parameter(is_vertex, part.contact.index, disk.other_range.middle()))};
   }
 
-  Arc arc_of(const Part& part) const
+  Arc arc_of(const std::vector<Part>& parts) const
   {
-    const std::array<double, 2> begin = sample(part, part.begin).parameters, end = sample(part, part.end).parameters;
-    return {in_order(m_disks.front(part).is_fan, part.contact.kind == internal::Disk_contact::Kind::VERTEX), {{{begin[0], end[0]}, {begin[1], end[1]}}}};
+    const Part& first = parts.front();
+    const std::array<double, 2> begin = sample(first, first.begin).parameters, end = sample(parts.back(), parts.back().end).parameters;
+    return {in_order(m_disks.front(first).is_fan, first.contact.kind == internal::Disk_contact::Kind::VERTEX), {{{begin[0], end[0]}, {begin[1], end[1]}}}};
   }
 
   // Whether the nearest points go on in the next fan of the same vertex.
@@ -170,9 +171,7 @@ private:
     Chain result{{}, chain.is_closed};
     for (std::vector<Part>& parts : arcs) {
       result.arcs.push_back(m_arcs.size());
-      m_arcs.push_back(arc_of(parts.front()));
-      for (std::size_t k = 0; k < 2; ++k)
-        m_arcs.back().parameters[k][1] = arc_of(parts.back()).parameters[k][1];
+      m_arcs.push_back(arc_of(parts));
       m_parts_of_arc.push_back(std::move(parts));
     }
     m_chains.push_back(std::move(result));

@@ -147,8 +147,10 @@ private:
   */
   bool append_pocket(const Front_part& part, std::vector<Disk_candidate> candidates, double least)
   {
+    if (m_curvature.scaled_sites() != nullptr)   // a pocket excludes sites at their distance
+      return false;
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
-    if (!pocket || m_curvature.scaled_sites() != nullptr || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
+    if (!pocket || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
     const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
     if (!contacts.are_known())
