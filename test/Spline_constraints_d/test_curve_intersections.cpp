@@ -164,6 +164,53 @@ TEST(Curve_intersections, OverlapThatBendsAway)
   }
 }
 
+// The curve bends into a straight piece of the other one, at an irrational parameter of it: an end of the overlap, no other answer. Beside it, they do not meet.
+TEST(Curve_intersections, OverlapFromAnIrrationalParameter)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const auto bend = [](const Exact_rational& x) { return SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, {{x - 2, 2}, {x - 1, 2}, {x, 1}, {x, 0}, {x, -1}, {x, -2}, {x, -3}}); };
+  const auto straight = SC::bezier_curve(std::vector<K::Point_2>{{0, 1}, {0, Exact_rational(-1, 10)}, {0, Exact_rational(-3, 2)}, {0, -2}});
+  for (const bool is_first : {true, false}) {
+    const auto intersections = is_first ? SC::intersections(bend(0), straight) : SC::intersections(straight, bend(0));
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    ASSERT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections[0].kind(), Intersection_kind::OVERLAP);
+  }
+  const auto beside = SC::intersections(bend(Exact_rational(-1, 1000000)), straight);
+  EXPECT_TRUE(beside.is_complete() && beside.empty());
+}
+
+// Sides that nearly run along each other, from corners that are nearly the same, counted by CGAL.
+TEST(Curve_intersections, CrossingsNextToCorners)
+{
+  std::mt19937 generator(1);
+  const auto integer = [&](int lower, int upper) { return lower + static_cast<int>(generator() % static_cast<unsigned>(upper - lower + 1)); };
+  std::size_t crossings = 0;
+  for (int i = 0; i < 150; ++i) {
+    Epeck::FT tiny(1);
+    for (int digits = integer(3, 7); digits-- > 0;)
+      tiny /= 10;
+    const auto near_to = [&](int x, int y) { return Epeck::Point_2(x + tiny * integer(-3, 3), y + tiny * integer(-3, 3)); };
+    const int x = integer(-9, 9), y = integer(1, 9);
+    const std::vector<Epeck::Point_2> a{{0, 0}, Epeck::Point_2(x, y), Epeck::Point_2(integer(-9, 9), integer(-9, 9))}, b{Epeck::Point_2(integer(-3, 3), integer(-3, 3)), near_to(0, 0), near_to(x, y)};
+    const auto sides = [](const std::vector<Epeck::Point_2>& p) { return std::vector<Epeck::Segment_2>{{p[0], p[1]}, {p[1], p[2]}}; };
+    const auto has_corner_on = [&](const std::vector<Epeck::Point_2>& p, const std::vector<Epeck::Point_2>& q) {
+      return std::any_of(p.begin(), p.end(), [&](const Epeck::Point_2& corner) { return std::ranges::any_of(sides(q), [&](const Epeck::Segment_2& side) { return side.has_on(corner); }); });
+    };
+    if (a[1] == a[2] || b[0] == b[1] || has_corner_on(a, b) || has_corner_on(b, a))
+      continue;
+    std::size_t expected = 0;
+    for (const Epeck::Segment_2& p : sides(a))
+      for (const Epeck::Segment_2& q : sides(b))
+        expected += CGAL::do_intersect(p, q) ? 1 : 0;
+    const auto intersections = SC::intersections(SC::polyline_curve(a), SC::polyline_curve(b));
+    EXPECT_TRUE(intersections.is_complete()) << i << ": " << intersections.summary();
+    EXPECT_EQ(intersections.count(Intersection_kind::TRANSVERSAL), expected) << i;
+    crossings += intersections.size();
+  }
+  EXPECT_GT(crossings, 100u);
+}
+
 // Copies with other digits, that meet at breaks only. The solver would have to cut them into very small boxes, and stops early; elimination settles what it leaves, also where one of the two is moved away.
 TEST(Curve_intersections, NearlyTheSameCurves)
 {

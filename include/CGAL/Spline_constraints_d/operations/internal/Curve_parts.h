@@ -61,7 +61,7 @@ public:
   {
     const auto is_known = [&](const Parameter_box& part) { return (overlap && is_part_of(part, *overlap)) || leads_apart_from_one(part, points); };
     const auto is_settled = [&](const auto& self, const Parameter_box& part, int depth) -> bool {
-      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points))
+      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points) || is_in_overlap(part))
         return true;
       return depth > 0 && all_parts(part, {Exact_parameters{middle_of(part[0])}, Exact_parameters{middle_of(part[1])}}, [&](const Parameter_box& quarter) { return self(self, quarter, depth - 1); });
     };
@@ -156,14 +156,19 @@ private:
         if (zeros[k].are_none())
           return true;
       }
-      if (zeros[0].elsewhere || zeros[1].elsewhere)
-        return false;
       const auto values = [&](std::size_t k) {
         std::vector<Exact_rational> result;
         if (zeros[k].at_lower_end) result.push_back(part[k].first);
         if (zeros[k].at_upper_end) result.push_back(part[k].second);
         return result;
       };
+      if (zeros[0].elsewhere || zeros[1].elsewhere) {
+        const auto has_ends_of_overlaps = [&](std::size_t k) {
+          const std::vector<Exact_rational> ends = values(k);
+          return !zeros[k].elsewhere && std::all_of(ends.begin(), ends.end(), [&](const Exact_rational& end) { return is_end_of_overlap(part, k, end); });
+        };
+        return has_ends_of_overlaps(0) || has_ends_of_overlaps(1);
+      }
       for (const Exact_rational& t : values(0))
         for (const Exact_rational& s : values(1))
           if (std::find(points.begin(), points.end(), Exact_parameters{t, s}) == points.end() && m_pair[0](Exact_parameters{t}) == m_pair[1](Exact_parameters{s}))
@@ -171,6 +176,37 @@ private:
       return true;
     }
     return false;
+  }
+
+  // Whether all common points in a part belong to overlaps of straight pieces, which are answers themselves.
+  bool is_in_overlap(const Parameter_box& part) const
+  {
+    if constexpr (d == 2)
+      return runs_along(0, cell_of(0, part[0]), part) || runs_along(1, cell_of(1, part[1]), part);
+    return false;
+  }
+
+  // The same for those at an end of the range of one curve, where the overlap ends.
+  bool is_end_of_overlap(const Parameter_box& part, std::size_t k, const Exact_rational& end) const
+    requires (d == 2)
+  {
+    const std::size_t cell = cell_of(k, part[k]);
+    return (end == m_breaks[k][cell] && cell > 0 && runs_along(k, cell - 1, part)) || (end == m_breaks[k][cell + 1] && cell + 2 < m_breaks[k].size() && runs_along(k, cell + 1, part));
+  }
+
+  // Whether a cell of one curve lies on the line of the straight piece of the other one that a part is inside of, without a point twice: next to each common point in the part there are others.
+  bool runs_along(std::size_t k, std::size_t cell, const Parameter_box& part) const
+    requires (d == 2)
+  {
+    const Spline_patch<2> straight = piece(1 - k, cell_of(1 - k, part[1 - k]));
+    const auto [begin, end] = straight.domain(0);
+    const auto a = straight(Exact_parameters{begin}), b = straight(Exact_parameters{end});
+    const Exact_rational dx(b[0] - a[0]), dy(b[1] - a[1]), offset(a[0] * dy - a[1] * dx);
+    const auto is_on_chord = [&](const Spline_patch<2>& curve) {
+      const Exact_function distance = curve.numerators()[1] * dx - curve.numerators()[0] * dy + curve.weight() * offset;
+      return std::all_of(distance.coefficients().begin(), distance.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    };
+    return begin < part[1 - k].first && part[1 - k].second < end && a != b && is_on_chord(straight) && is_on_chord(piece(k, cell)) && squared_norm(m_pair[1 - k].part(0, part[1 - k]).tangents(0)).lower > 0;
   }
 
   const std::array<std::optional<Exact_function>, 2>& eliminated(const Parameter_box& part)
