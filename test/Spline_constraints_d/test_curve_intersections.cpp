@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -178,6 +179,37 @@ TEST(Curve_intersections, OverlapFromAnIrrationalParameter)
   }
   const auto beside = SC::intersections(bend(Exact_rational(-1, 1000000)), straight);
   EXPECT_TRUE(beside.is_complete() && beside.empty());
+}
+
+// A corner, or a joint of two pieces without one, touches a curve at an irrational parameter of it, sqrt(1/2) or the zero of a cubic polynomial. Moved by a little, it misses the curve, or crosses it twice.
+TEST(Curve_intersections, BreaksThatTouchAtIrrationalParameters)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  using Curve = SC::Bspline_curve_2<K>;
+  const Curve parabola = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {0, 0}, {4, 8}}), line = SC::bezier_curve(std::vector<K::Point_2>{{-1, 2}, {Exact_rational(1, 2), 2}, {1, 2}, {5, 2}});
+  const auto corner = [](const Exact_rational& y) { return SC::polyline_curve(std::vector<K::Point_2>{{1, 9 + y}, {2, 4 + y}, {0, 7 + y}}); };
+  const auto joint = [](const Exact_rational& y) { return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 5 + y}, {0, 2 + y}, {1, 2 + y}, {2, 2 + y}, {3, 4 + y}}); };
+  const Exact_rational little = Exact_rational(1) / 100000;
+  for (const auto& [touching, beside, other] : {std::array{corner(0), corner(little), parabola}, std::array{joint(0), joint(little), line}})
+    for (const std::size_t k : {0, 1}) {
+      const auto found = k == 0 ? SC::intersections(touching, other) : SC::intersections(other, touching);
+      EXPECT_TRUE(found.is_complete()) << found.summary();
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].kind(), Intersection_kind::TANGENT);
+      EXPECT_EQ(found[0].parameter_range(k), (std::pair<Exact_rational, Exact_rational>(1, 1)));
+      EXPECT_LT(found[0].parameter_range(1 - k).first, found[0].parameter_range(1 - k).second);
+      EXPECT_FALSE(found[0].is_at_end(0) || found[0].is_at_end(1));
+      const auto apart = k == 0 ? SC::intersections(beside, other) : SC::intersections(other, beside);
+      EXPECT_TRUE(apart.is_complete() && apart.empty());
+    }
+  EXPECT_EQ(SC::intersections(joint(-little), line).count(Intersection_kind::TRANSVERSAL), 2u);
+  for (int cell : {0, 1}) {   // one that begins or ends there
+    const auto found = SC::intersections(joint(0).restricted(cell, cell + 1), line);
+    EXPECT_TRUE(found.is_complete()) << found.summary();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].parameter_range(0), (std::pair<Exact_rational, Exact_rational>(1, 1)));
+    EXPECT_TRUE(found[0].is_at_end(0) && !found[0].is_at_end(1));
+  }
 }
 
 // Sides that nearly run along each other, from corners that are nearly the same, counted by CGAL.

@@ -4,9 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CONIC_PARTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CONIC_PARTS_H
 
-#include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
-#include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
+#include <CGAL/Spline_constraints_d/function/internal/univariate_polynomial.h>
 #include <CGAL/Spline_constraints_d/geometry/conic_curve.h>
 
 #include <CGAL/enum.h>
@@ -84,16 +83,9 @@ template <class Piece>
 std::optional<Piece> as_quadratic(const Piece& piece)
 {
   std::vector<Power_polynomial> coordinates;
-  const auto add = [&](const Bspline_function<Exact_rational>& f) {
-    const std::vector<Exact_rational> powers = Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()).power_coefficients();
-    Power_polynomial sum;
-    for (std::size_t k = powers.size(); k-- > 0;)
-      sum = sum * Power_polynomial::variable(0) + powers[k];
-    coordinates.push_back(std::move(sum));
-  };
   for (const auto& f : piece.homogeneous_coordinates())
-    add(f);
-  add(piece.weight());
+    coordinates.push_back(univariate_polynomial(f));
+  coordinates.push_back(univariate_polynomial(piece.weight()));
   if (const std::optional<Common_factor> common = common_factor(coordinates))
     coordinates = common->cofactors;
   std::vector<Bspline_function<Exact_rational>> quadratics;
