@@ -168,11 +168,28 @@ TEST(Conic_traits_curves, are_given_back)
                               Arc(-1, -1, -1, 1, -1, 6)};
   for (const Arc& arc : arcs) {
     ASSERT_TRUE(arc.is_valid());
-    const auto back = SC::to_conic_traits_curves<Traits>(SC::to_bspline_curve(arc));
-    ASSERT_TRUE(back);
-    ASSERT_EQ(back->size(), 1u);
-    expect_same_arc(back->front(), arc);
+    const auto curve = SC::to_bspline_curve(arc);
+    for (const auto& same : {curve, curve.elevated(curve.degree() + 2)}) {
+      const auto back = SC::to_conic_traits_curves<Traits>(same);
+      ASSERT_TRUE(back);
+      ASSERT_EQ(back->size(), 1u);
+      expect_same_arc(back->front(), arc);
+    }
   }
+}
+
+// Times 1 + t^2, a parabola is of degree four; with another coordinate it is none.
+TEST(Conic_traits_curves, of_curves_with_a_common_factor)
+{
+  const auto function = [](const std::vector<SC::Exact_rational>& powers) {
+    return SC::Bspline_function<SC::Exact_rational>({4}, {{0, 0, 0, 0, 0, 1, 1, 1, 1, 1}}, SC::Bernstein_tensor<SC::Exact_rational>::from_power({4}, powers).coefficients());
+  };
+  const auto curve = [&](int cubic) { return SC::Bspline_curve_2<R>::from_homogeneous_coordinates({function({0, 1, 0, 1, 0}), function({0, 0, 1, cubic, 1})}, function({1, 0, 1, 0, 0})); };
+  const auto parts = SC::to_conic_traits_curves<Traits>(curve(0));
+  ASSERT_TRUE(parts);
+  ASSERT_EQ(parts->size(), 1u);
+  expect_same_arc(parts->front(), Arc(1, 0, 0, 0, -1, 0, CGAL::COUNTERCLOCKWISE, Point(0, 0), Point(1, 1)));
+  EXPECT_FALSE(SC::to_conic_traits_curves<Traits>(curve(1)));
 }
 
 TEST(Conic_traits_curves, of_curves_join_what_is_on_one_conic)

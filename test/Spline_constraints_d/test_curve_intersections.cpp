@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -162,6 +163,84 @@ TEST(Curve_intersections, OverlapThatBendsAway)
     EXPECT_EQ(intersections[0].parameter_range(0), (std::pair(parameter(begin), parameter(end))));
     EXPECT_EQ(intersections[0].parameter_range(1), (std::pair<Exact_rational, Exact_rational>(1, 2)));
   }
+}
+
+// The curve bends into a straight piece of the other one, at an irrational parameter of it: an end of the overlap, no other answer. Beside it, they do not meet.
+TEST(Curve_intersections, OverlapFromAnIrrationalParameter)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  const auto bend = [](const Exact_rational& x) { return SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, {{x - 2, 2}, {x - 1, 2}, {x, 1}, {x, 0}, {x, -1}, {x, -2}, {x, -3}}); };
+  const auto straight = SC::bezier_curve(std::vector<K::Point_2>{{0, 1}, {0, Exact_rational(-1, 10)}, {0, Exact_rational(-3, 2)}, {0, -2}});
+  for (const bool is_first : {true, false}) {
+    const auto intersections = is_first ? SC::intersections(bend(0), straight) : SC::intersections(straight, bend(0));
+    EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+    ASSERT_EQ(intersections.size(), 1u);
+    EXPECT_EQ(intersections[0].kind(), Intersection_kind::OVERLAP);
+  }
+  const auto beside = SC::intersections(bend(Exact_rational(-1, 1000000)), straight);
+  EXPECT_TRUE(beside.is_complete() && beside.empty());
+}
+
+// A corner, or a joint of two pieces without one, touches a curve at an irrational parameter of it, sqrt(1/2) or the zero of a cubic polynomial. Moved by a little, it misses the curve, or crosses it twice.
+TEST(Curve_intersections, BreaksThatTouchAtIrrationalParameters)
+{
+  using K = CGAL::Simple_cartesian<Exact_rational>;
+  using Curve = SC::Bspline_curve_2<K>;
+  const Curve parabola = SC::bezier_curve(std::vector<K::Point_2>{{0, 0}, {0, 0}, {4, 8}}), line = SC::bezier_curve(std::vector<K::Point_2>{{-1, 2}, {Exact_rational(1, 2), 2}, {1, 2}, {5, 2}});
+  const auto corner = [](const Exact_rational& y) { return SC::polyline_curve(std::vector<K::Point_2>{{1, 9 + y}, {2, 4 + y}, {0, 7 + y}}); };
+  const auto joint = [](const Exact_rational& y) { return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 5 + y}, {0, 2 + y}, {1, 2 + y}, {2, 2 + y}, {3, 4 + y}}); };
+  const Exact_rational little = Exact_rational(1) / 100000;
+  for (const auto& [touching, beside, other] : {std::array{corner(0), corner(little), parabola}, std::array{joint(0), joint(little), line}})
+    for (const std::size_t k : {0, 1}) {
+      const auto found = k == 0 ? SC::intersections(touching, other) : SC::intersections(other, touching);
+      EXPECT_TRUE(found.is_complete()) << found.summary();
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_EQ(found[0].kind(), Intersection_kind::TANGENT);
+      EXPECT_EQ(found[0].parameter_range(k), (std::pair<Exact_rational, Exact_rational>(1, 1)));
+      EXPECT_LT(found[0].parameter_range(1 - k).first, found[0].parameter_range(1 - k).second);
+      EXPECT_FALSE(found[0].is_at_end(0) || found[0].is_at_end(1));
+      const auto apart = k == 0 ? SC::intersections(beside, other) : SC::intersections(other, beside);
+      EXPECT_TRUE(apart.is_complete() && apart.empty());
+    }
+  EXPECT_EQ(SC::intersections(joint(-little), line).count(Intersection_kind::TRANSVERSAL), 2u);
+  for (int cell : {0, 1}) {   // one that begins or ends there
+    const auto found = SC::intersections(joint(0).restricted(cell, cell + 1), line);
+    EXPECT_TRUE(found.is_complete()) << found.summary();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].parameter_range(0), (std::pair<Exact_rational, Exact_rational>(1, 1)));
+    EXPECT_TRUE(found[0].is_at_end(0) && !found[0].is_at_end(1));
+  }
+}
+
+// Sides that nearly run along each other, from corners that are nearly the same, counted by CGAL.
+TEST(Curve_intersections, CrossingsNextToCorners)
+{
+  std::mt19937 generator(1);
+  const auto integer = [&](int lower, int upper) { return lower + static_cast<int>(generator() % static_cast<unsigned>(upper - lower + 1)); };
+  std::size_t crossings = 0;
+  for (int i = 0; i < 150; ++i) {
+    Epeck::FT tiny(1);
+    for (int digits = integer(3, 7); digits-- > 0;)
+      tiny /= 10;
+    const auto near_to = [&](int x, int y) { return Epeck::Point_2(x + tiny * integer(-3, 3), y + tiny * integer(-3, 3)); };
+    const int x = integer(-9, 9), y = integer(1, 9);
+    const std::vector<Epeck::Point_2> a{{0, 0}, Epeck::Point_2(x, y), Epeck::Point_2(integer(-9, 9), integer(-9, 9))}, b{Epeck::Point_2(integer(-3, 3), integer(-3, 3)), near_to(0, 0), near_to(x, y)};
+    const auto sides = [](const std::vector<Epeck::Point_2>& p) { return std::vector<Epeck::Segment_2>{{p[0], p[1]}, {p[1], p[2]}}; };
+    const auto has_corner_on = [&](const std::vector<Epeck::Point_2>& p, const std::vector<Epeck::Point_2>& q) {
+      return std::any_of(p.begin(), p.end(), [&](const Epeck::Point_2& corner) { return std::ranges::any_of(sides(q), [&](const Epeck::Segment_2& side) { return side.has_on(corner); }); });
+    };
+    if (a[1] == a[2] || b[0] == b[1] || has_corner_on(a, b) || has_corner_on(b, a))
+      continue;
+    std::size_t expected = 0;
+    for (const Epeck::Segment_2& p : sides(a))
+      for (const Epeck::Segment_2& q : sides(b))
+        expected += CGAL::do_intersect(p, q) ? 1 : 0;
+    const auto intersections = SC::intersections(SC::polyline_curve(a), SC::polyline_curve(b));
+    EXPECT_TRUE(intersections.is_complete()) << i << ": " << intersections.summary();
+    EXPECT_EQ(intersections.count(Intersection_kind::TRANSVERSAL), expected) << i;
+    crossings += intersections.size();
+  }
+  EXPECT_GT(crossings, 100u);
 }
 
 // Copies with other digits, that meet at breaks only. The solver would have to cut them into very small boxes, and stops early; elimination settles what it leaves, also where one of the two is moved away.

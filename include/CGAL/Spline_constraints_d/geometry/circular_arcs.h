@@ -37,7 +37,7 @@ inline std::optional<CGAL::Orientation> orientation_of_arc(const Bspline_curve_2
 /// @{
 
 /*!
-the arc of a circle that the curve is, if its pieces are of degree one or two and it runs along the circle once, or along a part of it, in either sense: arcs of a circular kernel are
+the arc of a circle that the curve is, if its pieces are of degree one or two, elevated or not, and it runs along the circle once, or along a part of it, in either sense: arcs of a circular kernel are
 counterclockwise, so the arc of a clockwise curve begins at its target. A whole circle begins and ends at the source. Nothing if there is no such arc. Decided exactly.
 \tparam Curve one in a circular kernel of CGAL.
 */

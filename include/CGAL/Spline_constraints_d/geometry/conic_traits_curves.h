@@ -169,7 +169,8 @@ Bspline_curve_2<typename Arc::Conic_arc_2::Rat_kernel> to_bspline_curve(const Ar
 
 /*!
 the arcs of conics and the segments that a curve consists of, as curves of `CGAL::Arr_conic_traits_2` with exact coefficients and ends, in the order and sense of the curve. Pieces that
-follow each other on one conic in the same sense are one curve, up to a whole ellipse. Nothing if the degree is higher than two; if a piece is a point; and if it runs back on a line.
+follow each other on one conic in the same sense are one curve, up to a whole ellipse. Pieces whose degree was
+elevated are lowered, exactly. Nothing if the degree of a piece without common factors of its homogeneous coordinates is higher than two; if a piece is a point; and if it runs back on a line.
 Decided exactly in every kernel.
 
 CGAL 5.5 computes the line between the branches of a hyperbola wrongly unless the axes of the hyperbola are at multiples of 45 degrees, and so takes some arcs for invalid and some points for

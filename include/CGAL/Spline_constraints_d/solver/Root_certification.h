@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -200,6 +201,8 @@ private:
   bool keep_root(const Cell& cell)
   {
     const Root_enclosure<Coordinate>* enclosure = &m_roots.refine();
+    if (certify_at_kink(*enclosure))
+      enclosure = &m_roots.refine();
     for (const double least_margin : {0x1p-24, 0x1p-34, 0x1p-44, 0x1p-44, 0x1p-44}) {
       const bool is_first = least_margin == 0x1p-24;
       if (enclosure->error <= 16 || (!is_first && !is_wide(*enclosure)))
@@ -217,6 +220,44 @@ private:
     return true;
   }
 
+  // At a kink, one inverse for all pieces may bring Newton's iteration no nearer to the root. That with the inverse of the piece where it is does; a box around its limit, in the region, has the same root.
+  bool certify_at_kink(const Root_enclosure<Coordinate>& enclosure)
+  {
+    constexpr int steps = 8;
+    const int n = m_layout.dimension;
+    const auto cell_of = [&](const std::vector<Coordinate>& point) -> Cell { return m_source.cell_of(std::span<const Coordinate>(point)); };
+    if (m_layout.equalities != n || !is_wide(enclosure) || !m_piecewise.crosses_break(cell_of(enclosure.lower), enclosure.lower, enclosure.upper))
+      return false;
+    std::vector<Coordinate> point(n);
+    const auto set_box = [&](double margin) {
+      for (int j = 0; j < n; ++j) {
+        const double size = margin * (std::max)(1.0, std::abs(CGAL::to_double(point[j])));
+        m_node.lower[j] = below(point[j], size);
+        m_node.upper[j] = above(point[j], size);
+      }
+    };
+    for (int j = 0; j < n; ++j)
+      point[j] = place_between(enclosure.lower[j], enclosure.upper[j], 0.5);
+    for (int step = 0; step < steps; ++step) {
+      set_box(0x1p-44);
+      m_analysis.rebuild(cell_of(point), m_node);
+      m_analysis.test_image(m_node);
+      for (int j = 0; j < n; ++j) {
+        if (!m_analysis.linear.has_inverse() || !std::isfinite(m_analysis.linear.centre(j)))
+          return false;
+        point[j] += m_analysis.linear.centre(j) * CGAL::to_double(Coordinate(m_node.upper[j] - m_node.lower[j]));
+        point[j] = (std::min)((std::max)(point[j], enclosure.lower[j]), enclosure.upper[j]);
+      }
+    }
+    for (const double margin : {0x1p-34, 0x1p-44}) {
+      set_box(margin);
+      m_roots.clip_to_region(m_node.lower, m_node.upper);
+      if (certify_box(cell_of(point), true))
+        return true;
+    }
+    return false;
+  }
+
   // Certifies a box around an enclosure, or around its middle; this one has the same root, since it lies within the region.
   bool certify_close_to(const Cell& cell, const Root_enclosure<Coordinate>& enclosure, double least_margin, bool is_around_middle)
   {
@@ -229,10 +270,16 @@ private:
     }
     if (is_around_middle)
       m_roots.clip_to_region(m_node.lower, m_node.upper);
+    return certify_box(cell, is_around_middle);
+  }
+
+  // The box on trial, whose root is that of the region, if it has one.
+  bool certify_box(const Cell& cell, bool must_not_grow)
+  {
     if (m_piecewise.crosses_break(cell, m_node.lower, m_node.upper)) {
       m_across.lower = m_node.lower;
       m_across.upper = m_node.upper;
-      if (is_around_middle || test_across_break() != Piecewise::ONE_ROOT)   // the box may grow
+      if (must_not_grow || test_across_break() != Piecewise::ONE_ROOT)
         return false;
       m_roots.set_region(m_across, false);
       return true;

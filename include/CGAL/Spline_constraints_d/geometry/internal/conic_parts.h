@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CONIC_PARTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_INTERNAL_CONIC_PARTS_H
 
+#include <CGAL/Spline_constraints_d/function/common_factor.h>
+#include <CGAL/Spline_constraints_d/function/internal/univariate_polynomial.h>
 #include <CGAL/Spline_constraints_d/geometry/conic_curve.h>
 
 #include <CGAL/enum.h>
@@ -76,12 +78,37 @@ bool is_segment(const Piece& piece)
   return chord != CGAL::NULL_VECTOR && piece.derivatives(begin, 1)[1] * chord >= 0 && piece.derivatives(end, 1)[1] * chord >= 0;
 }
 
-// What a polynomial or rational piece is, if it is of degree one or two. As a projective image of a parabola it runs along its conic once.
+// A piece as one of degree two on [0,1], if it is one: in the powers of its parameter, without the common factor of its homogeneous coordinates.
+template <class Piece>
+std::optional<Piece> as_quadratic(const Piece& piece)
+{
+  std::vector<Power_polynomial> coordinates;
+  for (const auto& f : piece.homogeneous_coordinates())
+    coordinates.push_back(univariate_polynomial(f));
+  coordinates.push_back(univariate_polynomial(piece.weight()));
+  if (const std::optional<Common_factor> common = common_factor(coordinates))
+    coordinates = common->cofactors;
+  std::vector<Bspline_function<Exact_rational>> quadratics;
+  for (const Power_polynomial& f : coordinates) {
+    std::vector<Exact_rational> powers(3, Exact_rational(0));
+    for (const auto& [monomial, coefficient] : f.terms()) {
+      if (monomial.exponent(0) > 2)
+        return std::nullopt;
+      powers[monomial.exponent(0)] = coefficient;
+    }
+    quadratics.push_back(Bspline_function<Exact_rational>({2}, {{0, 0, 0, 1, 1, 1}}, Bernstein_tensor<Exact_rational>::from_power({2}, powers).coefficients()));
+  }
+  return Piece::from_homogeneous_coordinates({quadratics[0], quadratics[1]}, quadratics[2]);
+}
+
+// What a polynomial or rational piece is, if it is of degree one or two, elevated or not. As a projective image of a parabola it runs along its conic once.
 template <class Piece>
 std::optional<std::pair<Conic_part, std::array<Exact_kernel::Point_2, 5>>> conic_part_of(const Piece& piece)
 {
-  if (piece.degree() > 2)
-    return std::nullopt;
+  if (piece.degree() > 2) {
+    const std::optional<Piece> quadratic = as_quadratic(piece);
+    return quadratic ? conic_part_of(*quadratic) : std::nullopt;
+  }
   std::array<Exact_kernel::Point_2, 5> points;
   const auto [begin, end] = piece.domain();
   for (int i = 0; i < 5; ++i)
@@ -96,7 +123,7 @@ std::optional<std::pair<Conic_part, std::array<Exact_kernel::Point_2, 5>>> conic
   return std::pair(part, points);
 }
 
-// The arcs and segments that a curve consists of, if its pieces are of degree one or two and no point. Pieces that follow each other on one conic, in the same sense and less than once around, are one arc.
+// The arcs and segments that a curve consists of, if its pieces are of degree one or two, elevated or not, and no point. Pieces that follow each other on one conic, in the same sense and less than once around, are one arc.
 template <class Curve>
 std::optional<std::vector<Conic_part>> conic_parts(const Curve& curve)
 {

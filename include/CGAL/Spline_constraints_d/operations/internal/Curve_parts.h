@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PARTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_PARTS_H
 
+#include <CGAL/Spline_constraints_d/function/common_factor.h>
+#include <CGAL/Spline_constraints_d/function/internal/univariate_polynomial.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/internal/elimination_2.h>
 
@@ -56,12 +58,28 @@ public:
     return result;
   }
 
-  // Whether all common points in a box are given ones or belong to an overlap, where there is one.
-  bool holds_only(const Parameter_box& box, const std::vector<Exact_parameters>& points, const Parameter_box* overlap = nullptr)
+  // Those that are a break of one curve alone, which a piece of the other one passes through once, and no end of an overlap: a parameter and a range.
+  std::vector<Parameter_box> points_at_one_break(const Parameter_box& box)
+    requires (d == 2)
+  {
+    std::vector<Parameter_box> result;
+    for (const std::size_t k : {0, 1})
+      for (std::size_t i = 0; i < m_breaks[k].size(); ++i) {
+        const Exact_rational& t = m_breaks[k][i];
+        if (t < box[k].first || box[k].second < t || !passes_through(1 - k, box[1 - k], m_pair[k](Exact_parameters{t})) || may_run_along(k, i - 1, box) || may_run_along(k, i, box))
+          continue;
+        result.push_back(box);
+        result.back()[k] = {t, t};
+      }
+    return result;
+  }
+
+  // Whether all common points in a box are given ones, with both parameters or one, or belong to an overlap, where there is one.
+  bool holds_only(const Parameter_box& box, const std::vector<Exact_parameters>& points, const Parameter_box* overlap = nullptr, const std::vector<Parameter_box>& ranges = {})
   {
     const auto is_known = [&](const Parameter_box& part) { return (overlap && is_part_of(part, *overlap)) || leads_apart_from_one(part, points); };
     const auto is_settled = [&](const auto& self, const Parameter_box& part, int depth) -> bool {
-      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points))
+      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points, ranges) || is_in_overlap(part))
         return true;
       return depth > 0 && all_parts(part, {Exact_parameters{middle_of(part[0])}, Exact_parameters{middle_of(part[1])}}, [&](const Parameter_box& quarter) { return self(self, quarter, depth - 1); });
     };
@@ -73,6 +91,37 @@ public:
   }
 
 private:
+  // Whether a curve has a point in a range inside of one cell, and has it once: its coordinates without those of the point have a common factor with one zero there.
+  bool passes_through(std::size_t curve, const Parameter_range& range, const std::array<Exact_rational, 2>& point) const
+    requires (d == 2)
+  {
+    const std::size_t cell = cell_of(curve, range);
+    if (!(m_breaks[curve][cell] < range.first && range.first < range.second && range.second < m_breaks[curve][cell + 1]))
+      return false;
+    const Spline_patch<2> part = m_pair[curve].part(0, range);
+    if (!(squared_norm(part.tangents(0)).lower > 0))
+      return false;
+    std::vector<Power_polynomial> coordinates;
+    for (const std::size_t i : {0, 1})
+      if (Power_polynomial f = univariate_polynomial(part.numerators()[i] - part.weight() * point[i]); !f.is_constant() || f.constant_term() != 0)
+        coordinates.push_back(std::move(f));
+    const std::optional<Common_factor> common = common_factor(coordinates);
+    const auto sign_at = [&](int t) { return common ? CGAL::sign(common->factor(Exact_parameters{Exact_rational(t)})) : CGAL::ZERO; };
+    return sign_at(0) * sign_at(1) < 0;
+  }
+
+  // Whether a cell of one curve, if there is one, may be on the curve that the other one is on in a box.
+  bool may_run_along(std::size_t k, std::size_t cell, const Parameter_box& box)
+    requires (d == 2)
+  {
+    if (!(cell < m_breaks[k].size() - 1))
+      return false;
+    Cells cells{cell, cell};
+    cells[1 - k] = cell_of(1 - k, box[1 - k]);
+    const std::optional<Exact_function>& f = eliminated(cells)[k];
+    return !f || std::all_of(f->coefficients().begin(), f->coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+  }
+
   // The parts of a box between some values of the parameters.
   template <class Predicate>
   static bool all_parts(const Parameter_box& box, const std::array<std::vector<Exact_rational>, 2>& cuts, const Predicate& is_true)
@@ -146,24 +195,33 @@ private:
   }
 
   // Each parameter can have no values but ends of the part, and where both have such, there are known points or none.
-  bool is_settled_by_elimination(const Parameter_box& part, const std::vector<Exact_parameters>& points)
+  bool is_settled_by_elimination(const Parameter_box& part, const std::vector<Exact_parameters>& points, const std::vector<Parameter_box>& ranges)
   {
     if constexpr (d == 2) {
       std::array<Zero_places, 2> zeros;
       for (const std::size_t k : {0, 1}) {
-        const std::optional<Exact_function>& f = eliminated(part)[k];
+        const std::optional<Exact_function>& f = eliminated({cell_of(0, part[0]), cell_of(1, part[1])})[k];
         zeros[k] = !f ? Zero_places{true, true, true} : part[k].first < part[k].second ? zero_places(f->restricted(0, part[k].first, part[k].second)) : Zero_places{true, false, false};
         if (zeros[k].are_none())
           return true;
       }
-      if (zeros[0].elsewhere || zeros[1].elsewhere)
-        return false;
       const auto values = [&](std::size_t k) {
         std::vector<Exact_rational> result;
         if (zeros[k].at_lower_end) result.push_back(part[k].first);
         if (zeros[k].at_upper_end) result.push_back(part[k].second);
         return result;
       };
+      if (zeros[0].elsewhere || zeros[1].elsewhere) {
+        const auto has_known_ends = [&](std::size_t k) {
+          const std::vector<Exact_rational> ends = values(k);
+          return !zeros[k].elsewhere && std::all_of(ends.begin(), ends.end(), [&](const Exact_rational& end) {
+            Parameter_box face = part;
+            face[k] = {end, end};
+            return is_end_of_overlap(part, k, end) || std::any_of(ranges.begin(), ranges.end(), [&](const Parameter_box& range) { return is_part_of(face, range); });
+          });
+        };
+        return has_known_ends(0) || has_known_ends(1);
+      }
       for (const Exact_rational& t : values(0))
         for (const Exact_rational& s : values(1))
           if (std::find(points.begin(), points.end(), Exact_parameters{t, s}) == points.end() && m_pair[0](Exact_parameters{t}) == m_pair[1](Exact_parameters{s}))
@@ -173,10 +231,40 @@ private:
     return false;
   }
 
-  const std::array<std::optional<Exact_function>, 2>& eliminated(const Parameter_box& part)
+  // Whether all common points in a part belong to overlaps of straight pieces, which are answers themselves.
+  bool is_in_overlap(const Parameter_box& part) const
+  {
+    if constexpr (d == 2)
+      return runs_along(0, cell_of(0, part[0]), part) || runs_along(1, cell_of(1, part[1]), part);
+    return false;
+  }
+
+  // The same for those at an end of the range of one curve, where the overlap ends.
+  bool is_end_of_overlap(const Parameter_box& part, std::size_t k, const Exact_rational& end) const
     requires (d == 2)
   {
-    const Cells cells{cell_of(0, part[0]), cell_of(1, part[1])};
+    const std::size_t cell = cell_of(k, part[k]);
+    return (end == m_breaks[k][cell] && cell > 0 && runs_along(k, cell - 1, part)) || (end == m_breaks[k][cell + 1] && cell + 2 < m_breaks[k].size() && runs_along(k, cell + 1, part));
+  }
+
+  // Whether a cell of one curve lies on the line of the straight piece of the other one that a part is inside of, without a point twice: next to each common point in the part there are others.
+  bool runs_along(std::size_t k, std::size_t cell, const Parameter_box& part) const
+    requires (d == 2)
+  {
+    const Spline_patch<2> straight = piece(1 - k, cell_of(1 - k, part[1 - k]));
+    const auto [begin, end] = straight.domain(0);
+    const auto a = straight(Exact_parameters{begin}), b = straight(Exact_parameters{end});
+    const Exact_rational dx(b[0] - a[0]), dy(b[1] - a[1]), offset(a[0] * dy - a[1] * dx);
+    const auto is_on_chord = [&](const Spline_patch<2>& curve) {
+      const Exact_function distance = curve.numerators()[1] * dx - curve.numerators()[0] * dy + curve.weight() * offset;
+      return std::all_of(distance.coefficients().begin(), distance.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    };
+    return begin < part[1 - k].first && part[1 - k].second < end && a != b && is_on_chord(straight) && is_on_chord(piece(k, cell)) && squared_norm(m_pair[1 - k].part(0, part[1 - k]).tangents(0)).lower > 0;
+  }
+
+  const std::array<std::optional<Exact_function>, 2>& eliminated(const Cells& cells)
+    requires (d == 2)
+  {
     const auto [entry, is_new] = m_eliminated.try_emplace(cells);
     if (is_new) {
       const std::array<Spline_patch<2>, 2> pieces{piece(0, cells[0]), piece(1, cells[1])};

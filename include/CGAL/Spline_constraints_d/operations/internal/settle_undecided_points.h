@@ -17,46 +17,60 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A common point of two curves at breaks of both, which is not proved to count once; none where it is found elsewhere.
+// A common point of two curves at a break of one or both, which is not proved to count once; none where it is found elsewhere.
 template <int d>
-std::optional<Common_point> point_at_breaks(const Patch_pair<d>& pair, const Exact_parameters& parameters)
+std::optional<Common_point> point_at_break(const Patch_pair<d>& pair, const Parameter_box& parameters)
 {
-  Common_point result{Intersection_kind::TANGENT, {}, {}, std::nullopt, false};
+  Common_point result{Intersection_kind::TANGENT, parameters, {}, std::nullopt, false};
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     const auto [begin, end] = pair[j].domain(0);
-    if (parameters[j] == end && pair.is_repeated_at_end(j))
+    if (parameters[j].first == end && pair.is_repeated_at_end(j))
       return std::nullopt;
-    result.parameters.emplace_back(parameters[j], parameters[j]);
-    result.is_at_end.push_back(parameters[j] == begin || parameters[j] == end);
+    result.is_at_end.push_back(parameters[j].second == begin || parameters[j].first == end);
   }
   return result;
 }
 
+inline bool have_common_part(const Parameter_box& a, const Parameter_box& b)
+{
+  for (std::size_t j = 0; j < a.size(); ++j)
+    if (a[j].second < b[j].first || b[j].second < a[j].first)
+      return false;
+  return true;
+}
+
 /*
 Boxes of parameters of two planar curves that the solver could not decide, but elimination does: curves that are nearly the same between breaks, touch each other there, or end next to each other. Those without common points go, those with common points at
-breaks of both alone become these points, once.
+breaks of both alone become these points, once, and those with points at breaks of one, too, if no other answer may be the same one.
 */
 template <int d>
 void settle_undecided_points(const Patch_pair<d>& pair, std::vector<Common_point>& points)
 {
   const auto is_undecided = [](const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; };
-  if (d != 2 || pair.number_of_parameters() != 2 || pair.first_parameter(1) != 1 || std::none_of(points.begin(), points.end(), is_undecided))
-    return;
-  Curve_parts<d> parts(pair);
-  std::vector<Exact_parameters> settled;
-  std::erase_if(points, [&](const Common_point& point) {
-    if (!is_undecided(point))
-      return false;
-    const std::vector<Exact_parameters> known = parts.common_breaks(point.parameters);
-    if (!parts.holds_only(point.parameters, known))
-      return false;
-    settled.insert(settled.end(), known.begin(), known.end());
-    return true;
-  });
-  for (const Exact_parameters& parameters : settled)
-    if (std::optional<Common_point> point = point_at_breaks(pair, parameters))
-      if (std::none_of(points.begin(), points.end(), [&](const Common_point& other) { return other.kind != Intersection_kind::OVERLAP && is_part_of(point->parameters, other.parameters); }))
-        points.push_back(std::move(*point));
+  if constexpr (d == 2) {
+    if (pair.number_of_parameters() != 2 || pair.first_parameter(1) != 1 || std::none_of(points.begin(), points.end(), is_undecided))
+      return;
+    Curve_parts<d> parts(pair);
+    const std::vector<Common_point> all = points;
+    std::vector<Parameter_box> settled;
+    const auto meet = [&](const Parameter_box& box) { return std::count_if(all.begin(), all.end(), [&](const Common_point& other) { return other.kind != Intersection_kind::OVERLAP && have_common_part(box, other.parameters); }); };
+    std::erase_if(points, [&](const Common_point& point) {
+      if (!is_undecided(point))
+        return false;
+      const std::vector<Exact_parameters> at_both = parts.common_breaks(point.parameters);
+      std::vector<Parameter_box> known = parts.points_at_one_break(point.parameters);
+      if (!parts.holds_only(point.parameters, at_both, nullptr, known) || std::any_of(known.begin(), known.end(), [&](const Parameter_box& box) { return meet(box) > 1; }))
+        return false;
+      for (const Exact_parameters& parameters : at_both)
+        known.push_back({{parameters[0], parameters[0]}, {parameters[1], parameters[1]}});
+      settled.insert(settled.end(), known.begin(), known.end());
+      return true;
+    });
+    for (const Parameter_box& parameters : settled)
+      if (std::optional<Common_point> point = point_at_break(pair, parameters))
+        if (std::none_of(points.begin(), points.end(), [&](const Common_point& other) { return other.kind != Intersection_kind::OVERLAP && is_part_of(parameters, other.parameters); }))
+          points.push_back(std::move(*point));
+  }
 }
 
 } // namespace internal
