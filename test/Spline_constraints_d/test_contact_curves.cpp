@@ -117,6 +117,19 @@ TEST(Contact_curves, parametric_surfaces)
   }
 }
 
+// Along seams and breaks of both surfaces, at the same places or others.
+TEST(Contact_curves, of_parametric_surfaces_along_breaks)
+{
+  const auto turned = [](int k) {
+    const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
+    return K::Aff_transformation_3(c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0);
+  };
+  const Surface large = SC::torus_surface<K>(Point(0, 0, 0), 5, 1), tube = SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(4, 0, -3));
+  expect_circle(expect_curves(torus, large, 1, 0, 1), 4, 0);
+  expect_circle(expect_curves(tube.transformed(turned(2)), torus, 1, 0, 1), 4, 0);
+  expect_circle(expect_curves(torus, SC::sphere_surface<K>(Point(0, 0, 0), 4), 1, 0, 1), 4, 0);   // which has poles elsewhere
+}
+
 // Inside of a cell, along a break and along the seam.
 TEST(Contact_curves, lines_of_cylinders)
 {
