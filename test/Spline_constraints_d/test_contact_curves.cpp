@@ -117,6 +117,19 @@ TEST(Contact_curves, parametric_surfaces)
   }
 }
 
+// Along seams and breaks of both surfaces, at the same places or others.
+TEST(Contact_curves, of_parametric_surfaces_along_breaks)
+{
+  const auto turned = [](int k) {
+    const Rational m(k), n(k + 1), square(m * m + n * n), c((n * n - m * m) / square), s(2 * m * n / square);
+    return K::Aff_transformation_3(c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0);
+  };
+  const Surface large = SC::torus_surface<K>(Point(0, 0, 0), 5, 1), tube = SC::cylinder_surface<K>(Point(0, 0, -3), Vector(0, 0, 6), Point(4, 0, -3));
+  expect_circle(expect_curves(torus, large, 1, 0, 1), 4, 0);
+  expect_circle(expect_curves(tube.transformed(turned(2)), torus, 1, 0, 1), 4, 0);
+  expect_circle(expect_curves(torus, SC::sphere_surface<K>(Point(0, 0, 0), 4), 1, 0, 1), 4, 0);   // which has poles elsewhere
+}
+
 // Inside of a cell, along a break and along the seam.
 TEST(Contact_curves, lines_of_cylinders)
 {
@@ -220,6 +233,33 @@ TEST(Contact_curves, implicit_surfaces)
       expect_implicit_contacts(ring, SC::Implicit_surface_3(q == 4), 1, 0, 2);
       expect_implicit_contacts(SC::Implicit_surface_3(z == pow(q - 1, 3)), SC::Implicit_surface_3(z == 0), 1, 0, 3);
     }
+  }
+}
+
+// The contact along a line, and the transversal curves through one of its points.
+TEST(Contact_curves, of_quadrics_along_a_line)
+{
+  for (const int k : {0, 2}) {
+    const auto [x, y, z] = turned_coordinates(k);
+    const auto expect = [&, turned = k != 0](const SC::Constraint& a, const SC::Constraint& b, std::size_t curves, std::size_t contacts, double height) {
+      const auto set = SC::intersection_curves(SC::Implicit_surface_3(a), SC::Implicit_surface_3(b));
+      EXPECT_TRUE(set.is_complete()) << set;
+      EXPECT_EQ(set.curves().size(), curves);
+      EXPECT_EQ(set.number_of_closed_curves(), 0u);
+      EXPECT_EQ(set.number_of_contact_curves(), contacts);
+      ASSERT_EQ(set.singular_points().size(), 1u);
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(set.singular_points()[0].point(), CGAL::Point_3<CGAL::Simple_cartesian<double>>(0, 0, 0))), std::abs(height), 1e-10);
+      for (const SC::Intersection_curve& curve : set.curves())
+        for (const auto& p : set.polyline(curve, 1e-1)) {
+          EXPECT_TRUE(turned || curve.multiplicity == 1 || std::hypot(p.x(), p.y()) < 1e-10) << p;
+          EXPECT_TRUE(turned || curve.multiplicity == 2 || p.z() <= height + 1e-10 || height > -1) << p;
+        }
+    };
+    const SC::Constraint cylinder = square(x - 1) + y * y == 1, cone = x * (z + 4) == y * y;
+    expect(cylinder, 2 * x * (z + 4) == y * y, 3, 2, -3);            // and a conic
+    expect(cone, 2 * x * (3 - z) == y * y, 4, 2, 2.0 / 3);           // a parabola
+    expect(x * z == y * y, 4 * x * z + x * (x - z) == 4 * y * y, 6, 2, 0);   // two lines, through the vertex of both
+    expect(cylinder, x * (y + z) == 0, 3, 2, 0);                     // two planes
   }
 }
 

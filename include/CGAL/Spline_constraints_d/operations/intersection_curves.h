@@ -26,7 +26,7 @@ inline Solved_part common_curves(Surface_equations surfaces, const Solver_option
     return {std::move(surfaces), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
   std::vector<Contact_curves> contacts;
   bool has_looked = false;
-  Curve_search search{surfaces.has_poles(), surfaces.closed_unknowns()};
+  Curve_search search{.closed_unknowns = surfaces.closed_unknowns(), .undecided_faces = surfaces.unknowns_with_poles()};
   const auto has_contact_curves = [&] {
     if (std::exchange(has_looked, true) || !surfaces.has_all_parameters())
       return !contacts.empty();
@@ -34,6 +34,10 @@ inline Solved_part common_curves(Surface_equations surfaces, const Solver_option
     for (const std::size_t implicit : {0, 1})
       if (const std::optional<Contact_curves> found = Contact_curves::make(surfaces, polynomials, implicit))
         contacts.push_back(*found);
+    const auto common_zeros = polynomials[0] && polynomials[1] ? Regular_pair::make({*polynomials[0], *polynomials[1]}) : std::nullopt;
+    for (const std::size_t implicit : {0, 1})
+      for (const Contact_curves& found : Contact_curves::along_lines(surfaces, polynomials, implicit, common_zeros))
+        contacts.push_back(found);
     return !contacts.empty();
   };
   search.gives_up = has_contact_curves;
@@ -66,9 +70,9 @@ implicit surface that ends at its box within the bounds of a parametric one adds
 
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
-The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found; and of two parametric surfaces, where an
+The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found, or two of them; and of two parametric surfaces, where an
 equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide, and what is near a pole that lies on the other surface. A curve along an edge, a seam or a break is found where one equation
-says so, as it does of a parametric surface and an implicit one; at edges and seams only if no surface has a pole.
+says so, as it does of a parametric surface and an implicit one, and along contacts of two parametric ones that both have an equation; at edges and seams only of a surface without a pole.
 
 \tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel, which is that of the result; `Implicit_surface_3` goes with any, two of them have results in
         `CGAL::Simple_cartesian<double>`.

@@ -232,6 +232,7 @@ struct Curve_search
 {
   bool are_faces_undecided = false;                       // curves in faces of the domain, since each point is on several faces, or in several places of one
   std::vector<std::size_t> closed_unknowns = {};          // both ends of their ranges are the same: curves in these faces are found at the lower one
+  std::vector<std::size_t> undecided_faces = {};          // curves in the faces at the ends of their ranges are undecided, for the same reasons as above
   std::function<bool()> gives_up = [] { return false; };  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
 
   enum Use { FIND, SKIP, LEAVE };
@@ -241,20 +242,22 @@ struct Curve_search
     const auto& [lower, upper] = system.domain(face.axis);
     if (lower < face.value && face.value < upper)
       return FIND;
-    if (are_faces_undecided)
+    const auto is_one_of = [&](const std::vector<std::size_t>& unknowns) { return std::find(unknowns.begin(), unknowns.end(), static_cast<std::size_t>(face.axis)) != unknowns.end(); };
+    if (are_faces_undecided || is_one_of(undecided_faces))
       return LEAVE;
-    return face.value == upper && std::find(closed_unknowns.begin(), closed_unknowns.end(), static_cast<std::size_t>(face.axis)) != closed_unknowns.end() ? SKIP : FIND;
+    return face.value == upper && is_one_of(closed_unknowns) ? SKIP : FIND;
   }
 };
 
 // How often curves count that were found without the repeated factors. A piece has one regular vertex at least, unless both of its ends are singular points.
-inline void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices& vertices, const Simple_factors& factors)
+template <class Multiplicity>
+void count_multiplicities(std::vector<Curve_piece>& pieces, const Curve_vertices& vertices, const Multiplicity& multiplicity)
 {
   for (Curve_piece& piece : pieces) {
     piece.multiplicity = 0;
     for (const std::size_t i : piece.ends)
       if (piece.multiplicity == 0 && !vertices[i].is_singular_point())
-        piece.multiplicity = factors.multiplicity(piece.box, vertices[i].box);
+        piece.multiplicity = multiplicity(piece.box, vertices[i].box);
   }
 }
 
@@ -280,8 +283,19 @@ Found_curves curves_of_simple_factors(const Constraint_system_d& system, const S
   Solver_options rest = options;
   if (options.node_limit > 0)
     rest.node_limit = (std::max)(options.node_limit - (std::min)(nodes, options.node_limit), std::size_t(1));
-  Found_curves simple = All_curves<Traits, Concurrency_tag>(factors->system(), rest, control)();
-  count_multiplicities(simple.pieces, simple.vertices, *factors);
+  const auto curves_of = [&](const Constraint_system_d& simple, const auto& multiplicity) {
+    Found_curves result = All_curves<Traits, Concurrency_tag>(simple, rest, control)();
+    count_multiplicities(result.pieces, result.vertices, multiplicity);
+    return result;
+  };
+  Found_curves simple = curves_of(factors->system(), [&](const Exact_ranges& box, const Exact_ranges& vertex) { return factors->multiplicity(box, vertex); });
+  if (const auto& other = factors->other_system()) {
+    Constraint_system_d both = factors->system();
+    for (const Spline_function& equality : other->equalities())
+      both.add(equality, Relation::EQUAL);
+    Found_curves others = curves_of(*other, [&](const Exact_ranges&, const Exact_ranges& vertex) { return factors->multiplicity_in_other(vertex); });
+    simple = United_curves(std::move(simple), std::move(others), both)(Curve_vertices(rest).solve(both));
+  }
   simple.summary.nodes += nodes;
   return simple;
 }

@@ -36,6 +36,12 @@ On a contact curve the equations A = B are singular. If f(B) has repeated factor
 
 and these are regular where the surfaces touch, and g is. Other solutions are pairs of points of f = 0 on a normal of B. By the mean value theorem 0 = f(A) - f(B) = lambda <grad f, n>, with n = B_s x B_t, A - B = lambda n, and the gradient at some point between: so both are the same point where <grad f, n> is not
 zero around them. Along a regular curve in one cell of both surfaces A - B is analytic: it is zero everywhere, if around one vertex. Curves of other solutions are in boxes where A and B are apart.
+
+Where a contact curve runs along a break, a seam or an edge of a surface, those equations do not say so, since no one of them is zero there. If B, too, has an equation h(B) = 0, let B be a surface on which g = 0 is such a line, with the tangent T = B_s or B_t. All common points satisfy
+
+  g(s,t) = 0, h(A(u,v)) = 0 without repeated factors, <A - B, T> = 0,
+
+where the lines are factors. Both points of a solution are common zeros of f and h. If these are those of a regular pair p = q = 0, and grad p, grad q and T are independent in a box around both points, they are the same point: p, q and the product with T are the same.
 */
 class Contact_curves
 {
@@ -44,22 +50,43 @@ class Contact_curves
   const Power_polynomial m_polynomial;
   const Simple_factors m_factors;   // of f(B)
 
+  // What is known of contacts along a line of B.
+  struct Line
+  {
+    int axis;                  // of the parameter along it
+    Simple_factors factors;    // of h(A)
+    Regular_pair common_zeros;
+  };
+  std::optional<Line> m_line;
+
 public:
   // With A as the surface of an index, and the equations of both surfaces, as far as they are known. Nothing if f(B) has no repeated factors, if the tangents of B jump, or if the surfaces may touch along a break or an edge of A.
   static std::optional<Contact_curves> make(const Surface_equations& surfaces, const std::array<std::optional<Power_polynomial>, 2>& polynomials, std::size_t implicit)
   {
     const std::array<const Spline_patch<3>*, 2> patches{&*surfaces.surface(implicit).patch, &*surfaces.surface(1 - implicit).patch};
-    const auto incidence = [&](const Power_polynomial& polynomial, const Spline_patch<3>& patch) { return Surface_equations(Surface_shape(polynomial), Surface_shape(patch)).system(); };
-    const auto jumps = [&](int axis) {
-      const std::vector<Axis_part> parts = parts_of(*patches[1], axis, perpendicular_before);
-      return std::any_of(parts.begin(), parts.end(), [](const Axis_part& part) { return part.range.first == part.range.second; });
-    };
     const auto &polynomial = polynomials[implicit], &other = polynomials[1 - implicit];
     const bool is_one_piece = patches[0]->breaks(0).size() == 2 && patches[0]->breaks(1).size() == 2 && !patches[0]->is_closed(0) && !patches[0]->is_closed(1);
-    if (!polynomial || jumps(0) || jumps(1) || !(is_one_piece || (other && !may_vanish_on_break(*other, *patches[0]))))
+    if (!polynomial || has_creases(*patches[1]) || !(is_one_piece || (other && !may_vanish_on_break(*other, *patches[0]))))
       return std::nullopt;
     Contact_curves result(surfaces, implicit, *polynomial, Simple_factors(incidence(*polynomial, *patches[1])));
     return result.m_factors.is_simpler() ? std::optional(std::move(result)) : std::nullopt;
+  }
+
+  // Those for contacts along lines of B of both directions, if there are some and a regular pair is known.
+  static std::vector<Contact_curves> along_lines(const Surface_equations& surfaces, const std::array<std::optional<Power_polynomial>, 2>& polynomials, std::size_t implicit,
+                                                 const std::optional<Regular_pair>& common_zeros)
+  {
+    const Spline_patch<3>&a = *surfaces.surface(implicit).patch, &b = *surfaces.surface(1 - implicit).patch;
+    std::vector<Contact_curves> result;
+    if (!common_zeros || has_creases(b))
+      return result;
+    Contact_curves contact(surfaces, implicit, *polynomials[implicit], Simple_factors(incidence(*polynomials[implicit], b)));
+    for (const int axis : {0, 1})
+      if (contact.m_factors.is_simpler() && has_line(contact.m_factors.system(), axis)) {
+        contact.m_line.emplace(Line{axis, Simple_factors(incidence(*polynomials[1 - implicit], a)), *common_zeros});
+        result.push_back(contact);
+      }
+    return result;
   }
 
   // The equations above.
@@ -67,14 +94,11 @@ public:
   {
     Constraint_system_d result(domain_of(m_surfaces.system()));
     for (const int axis : {0, 1})
-      result.add(without_poles(projection(axis)), Relation::EQUAL);
-    Spline_function product;
-    for (Spline_term term : m_factors.system().equalities().front().terms()) {
-      for (int& v : term.variables)
-        v += static_cast<int>(first_unknown(m_other));
-      product += Spline_function(std::move(term));
-    }
-    result.add(std::move(product), Relation::EQUAL);
+      if (!m_line || m_line->axis == axis)
+        result.add(without_poles(projection(axis)), Relation::EQUAL);
+    result.add(product(m_factors, m_other), Relation::EQUAL);
+    if (m_line)
+      result.add(product(m_line->factors, m_implicit), Relation::EQUAL);
     return result;
   }
 
@@ -111,6 +135,38 @@ private:
   Contact_curves(const Surface_equations& surfaces, std::size_t implicit, Power_polynomial polynomial, Simple_factors factors)
     : m_surfaces(surfaces), m_implicit(implicit), m_other(1 - implicit), m_polynomial(std::move(polynomial)), m_factors(std::move(factors))
   {}
+
+  // The equation of the points of a surface where a polynomial is zero.
+  static Constraint_system_d incidence(const Power_polynomial& polynomial, const Spline_patch<3>& patch) { return Surface_equations(Surface_shape(polynomial), Surface_shape(patch)).system(); }
+
+  // Whether tangents jump.
+  static bool has_creases(const Spline_patch<3>& patch)
+  {
+    const auto jumps = [&](int axis) {
+      const std::vector<Axis_part> parts = parts_of(patch, axis, perpendicular_before);
+      return std::any_of(parts.begin(), parts.end(), [](const Axis_part& part) { return part.range.first == part.range.second; });
+    };
+    return jumps(0) || jumps(1);
+  }
+
+  // Whether an equation of two unknowns is zero along an edge or a break on which one of them varies.
+  static bool has_line(const Constraint_system_d& system, int axis)
+  {
+    const std::vector<Exact_rational> places = places_of_faces(system, 1 - axis);
+    return std::any_of(places.begin(), places.end(), [&](const Exact_rational& place) { return Face_factor(system.equalities().front(), 1 - axis, system.domain(1 - axis), place).divides(); });
+  }
+
+  // The product of the factors of an equation in the parameters of a surface, as one in all unknowns.
+  Spline_function product(const Simple_factors& factors, std::size_t surface) const
+  {
+    Spline_function result;
+    for (Spline_term term : factors.system().equalities().front().terms()) {
+      for (int& v : term.variables)
+        v += static_cast<int>(first_unknown(surface));
+      result += Spline_function(std::move(term));
+    }
+    return result;
+  }
 
   // Whether a polynomial is zero in some points of a piece of a break or an edge of a surface.
   static bool may_vanish_on_break(const Power_polynomial& polynomial, const Spline_patch<3>& surface)
@@ -214,20 +270,42 @@ private:
     if (are_apart(a, b))
       return false;
     const Mpfr_precision_scope precision(128);
-    std::array<Mpfr_interval, 3> gradient;
     std::vector<Mpfr_interval> between;
     for (std::size_t i = 0; i < 3; ++i) {
       const Rational_interval both = hull(a[i], b[i]);
       between.emplace_back(both.lower, both.upper);
     }
-    for (std::size_t i = 0; i < 3; ++i)
-      gradient[i] = m_polynomial.derivative(static_cast<int>(i)).value(std::span<const Mpfr_interval>(between));
+    if (m_line)
+      return is_one_point(between, other) ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+    const std::array<Mpfr_interval, 3> gradient = gradient_of(m_polynomial, between);
     const std::vector<Exact_rational> u = other.breaks(0), v = other.breaks(1);   // on both sides of a break the tangents have other lengths
     bool is_common = true;
     for (std::size_t i = 1; i < u.size(); ++i)
       for (std::size_t j = 1; j < v.size(); ++j)
         is_common = is_common && crosses_normal(gradient, other.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}}));
     return is_common ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
+  }
+
+  static std::array<Mpfr_interval, 3> gradient_of(const Power_polynomial& polynomial, const std::vector<Mpfr_interval>& box)
+  {
+    std::array<Mpfr_interval, 3> result;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = polynomial.derivative(static_cast<int>(i)).value(std::span<const Mpfr_interval>(box));
+    return result;
+  }
+
+  // Whether two common zeros of the polynomials in a box are the same, if their difference is perpendicular to the tangent of the line in a part of B.
+  bool is_one_point(const std::vector<Mpfr_interval>& box, const Spline_patch<3>& part) const
+  {
+    const Vector_bounds<3> tangent = part.tangents(m_line->axis);
+    const auto& [p, q] = m_line->common_zeros.polynomials();
+    const std::array<Mpfr_interval, 3> of_p = gradient_of(p, box), of_q = gradient_of(q, box);
+    Mpfr_interval determinant(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      determinant += Mpfr_interval(tangent[i].lower, tangent[i].upper) * (of_p[j] * of_q[k] - of_p[k] * of_q[j]);
+    }
+    return CGAL::certainly(determinant.sign() != CGAL::ZERO);
   }
 
   // Whether the product of a gradient with the normals of a part of a surface is not zero.

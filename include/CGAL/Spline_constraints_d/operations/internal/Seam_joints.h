@@ -58,9 +58,13 @@ public:
     : m_set(set), m_point(set.vertices().size()), m_ends(set.vertices().size()), m_domain(domain_of(system)), m_exchange(std::move(exchange))
   {
     std::iota(m_point.begin(), m_point.end(), 0);
+    std::vector<Place> unmatched;
     for (const std::size_t unknown : closed_unknowns)
       for (const bool is_upper : {false, true})
-        identify(unknown, is_upper);
+        identify(unknown, is_upper, unmatched);
+    for (const Place& place : unmatched)
+      if (!is_point_of_curve_along_seam(place))
+        m_unmatched.push_back(place.vertex);
     if (!m_exchange.empty())
       identify_orders();
     for (const auto& [unknown, value] : poles)
@@ -148,7 +152,7 @@ private:
     return m_ends[point][m_ends[point][0] == end ? 1 : 0];
   }
 
-  void identify(std::size_t unknown, bool is_upper)
+  void identify(std::size_t unknown, bool is_upper, std::vector<Place>& unmatched)
   {
     const std::vector<bool> is_along_seam = along_face(unknown, is_upper);
     for (const std::size_t i : on_face(unknown, is_upper)) {
@@ -158,8 +162,21 @@ private:
       if (partners.size() == 1 && across(partners[0], !is_upper).size() == 1)
         m_point[root(partners[0].vertex)] = root(i);
       else
-        m_unmatched.push_back(i);
+        unmatched.push_back({i, unknown});
     }
+  }
+
+  // Whether a vertex without curves is the same point, across another seam, as one of a curve along this seam, which is there once.
+  bool is_point_of_curve_along_seam(const Place& place) const
+  {
+    const std::vector<std::size_t>& points = m_set.points();
+    if (std::find(points.begin(), points.end(), place.vertex) == points.end())
+      return false;
+    const std::vector<bool> is_lower = along_face(place.unknown, false), is_upper = along_face(place.unknown, true);
+    for (std::size_t i = 0; i < m_point.size(); ++i)
+      if ((is_lower[i] || is_upper[i]) && root(i) == root(place.vertex))
+        return true;
+    return false;
   }
 
   // Which vertices are on pieces in a face, and on no others: curves along a seam are there once.

@@ -95,13 +95,15 @@ public:
     return result;
   }
 
-  // Whether an edge of a surface is one point.
-  bool has_poles() const
+  // The unknowns that a parameter of a surface with a pole, an edge that is one point, depends on.
+  std::vector<std::size_t> unknowns_with_poles() const
   {
-    const auto is_pole = [](const Spline_patch<3>& patch, int axis) {
-      return patch.part(axis, {patch.domain(axis).first, patch.domain(axis).first}).is_one_point() || patch.part(axis, {patch.domain(axis).second, patch.domain(axis).second}).is_one_point();
-    };
-    return std::any_of(m_surfaces.begin(), m_surfaces.end(), [&](const Surface_shape& surface) { return surface.patch && (is_pole(*surface.patch, 0) || is_pole(*surface.patch, 1)); });
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (is_parametric(k) && (has_pole(*m_surfaces[k].patch, 0) || has_pole(*m_surfaces[k].patch, 1)))
+        for (const Affine_function& parameter : m_parameters[k])
+          result.push_back(parameter.unknown);
+    return result;
   }
 
   // For each unknown the one that takes its place in the other order of an unordered pair; none where pairs are ordered.
@@ -127,6 +129,12 @@ private:
   {
     constexpr int direction = 4;
     return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction} : std::vector<std::size_t>{};
+  }
+
+  static bool has_pole(const Spline_patch<3>& patch, int axis)
+  {
+    const auto [begin, end] = patch.domain(axis);
+    return patch.part(axis, {begin, begin}).is_one_point() || patch.part(axis, {end, end}).is_one_point();
   }
 
   bool are_apart() const

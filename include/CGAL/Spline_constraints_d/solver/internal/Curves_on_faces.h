@@ -7,7 +7,9 @@
 #include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,6 +58,18 @@ struct Found_curves
     for (Undecided_box& box : undecided)
       std::for_each(box.vertices.begin(), box.vertices.end(), change);
     std::for_each(points.begin(), points.end(), change);
+  }
+
+  // Adds others. Returns the indices of their vertices here.
+  Vertex_indices merge(Found_curves&& others)
+  {
+    const Vertex_indices place = vertices.merge(std::move(others.vertices), {});
+    others.for_each_index([&](std::size_t& i) { i = place[i]; });
+    pieces.insert(pieces.end(), others.pieces.begin(), others.pieces.end());
+    undecided.insert(undecided.end(), others.undecided.begin(), others.undecided.end());
+    points.insert(points.end(), others.points.begin(), others.points.end());
+    summary += others.summary;
+    return place;
   }
 };
 
@@ -257,21 +271,90 @@ inline std::optional<Constraint_system_d> system_on_face(const Constraint_system
   return result;
 }
 
+// Makes points that are known to be solutions ends of the curves that pass through them.
+class Curve_divisions
+{
+protected:
+  Found_curves& m_all;
+  std::size_t m_first;         // of the pieces
+  Vertex_indices m_vertices;   // that a point may be
+
+public:
+  Curve_divisions(Found_curves& all, std::size_t first, Vertex_indices vertices) : m_all(all), m_first(first), m_vertices(std::move(vertices)) {}
+
+  // Whether the vertex, a solution, is a point of the curves; it is singular then.
+  bool add(std::size_t i) { return joins_vertex(i) || splits_piece(i); }
+
+private:
+  void make_singular(std::size_t i)
+  {
+    m_all.vertices.make_singular(i);
+    std::erase(m_all.points, i);
+  }
+
+  // The point is a vertex.
+  bool joins_vertex(std::size_t i)
+  {
+    const auto same = std::find_if(m_vertices.begin(), m_vertices.end(), [&](std::size_t k) { return is_same(m_all.vertices[i], m_all.vertices[k]); });
+    if (same == m_vertices.end())
+      return false;
+    m_all.vertices.identify(i, *same);
+    m_all.for_each_index([&](std::size_t& k) { k = k == *same ? i : k; });
+    make_singular(i);
+    return true;
+  }
+
+  // Both are solutions. A regular vertex is the only one in its region on its plane, or where its inequality is zero.
+  static bool is_same(const Plane_point& point, const Plane_point& vertex)
+  {
+    const auto is_number = [](const auto& range) { return range.first == range.second; };
+    if (point.box == vertex.box && std::all_of(point.box.begin(), point.box.end(), is_number))
+      return true;
+    if (vertex.kind != Plane_point::REGULAR || !is_within(point.box, vertex.region))
+      return false;
+    if (const std::optional<std::size_t> plane = vertex.first_plane())
+      return point.is_fixed[*plane] && point.box[*plane] == vertex.box[*plane];
+    return vertex.inequality && point.inequality == vertex.inequality;
+  }
+
+  // The point lies in a piece, which becomes two.
+  bool splits_piece(std::size_t i)
+  {
+    const Exact_ranges& point = m_all.vertices[i].box;
+    for (std::size_t p = m_first; p < m_all.pieces.size(); ++p) {
+      Curve_piece& piece = m_all.pieces[p];
+      if (piece.parameter < 0 || !is_within(point, piece.box))
+        continue;
+      const auto range = [&](std::size_t k) { return m_all.vertices[k].box[piece.parameter]; };
+      auto [first, last] = std::pair(range(piece.ends[0]), range(piece.ends[1]));
+      if (last.first < first.first)
+        std::swap(first, last);
+      if (!(first.second < point[piece.parameter].first && point[piece.parameter].second < last.first))
+        continue;
+      Curve_piece rest = piece;
+      piece.ends[1] = rest.ends[0] = i;
+      m_all.pieces.push_back(std::move(rest));
+      make_singular(i);
+      return true;
+    }
+    return false;
+  }
+};
+
 /*
 Joins the curves on a face, or a plane of breaks, with all other ones, which meet it in points. There the equality has two factors that are zero, so that they are singular points; and they are solutions on the face: each of them is a
 vertex there, or lies in a piece, between its ends, since this has no other solutions in its box.
 */
-class Curves_on_face
+class Curves_on_face : Curve_divisions
 {
   const Vanishing_face& m_face;
   const int m_exponent;
-  Found_curves& m_all;
-  std::size_t m_first, m_first_undecided;   // of the pieces and boxes on the face
-  Vertex_indices m_vertices;
+  std::size_t m_first_undecided;   // of the boxes on the face
 
 public:
   // Adds `on_face` to `all`, the solutions without the face. The exponent is that of the factor of the face.
-  Curves_on_face(const Vanishing_face& face, int exponent, Found_curves& all) : m_face(face), m_exponent(exponent), m_all(all), m_first(all.pieces.size()), m_first_undecided(all.undecided.size()) {}
+  Curves_on_face(const Vanishing_face& face, int exponent, Found_curves& all) : Curve_divisions(all, all.pieces.size(), {}), m_face(face), m_exponent(exponent), m_first_undecided(all.undecided.size())
+  {}
 
   void add(Found_curves&& on_face)
   {
@@ -283,14 +366,9 @@ public:
     }
     for (Undecided_box& box : on_face.undecided)
       box.box[m_face.axis] = {m_face.value, m_face.value};
-    m_vertices = m_all.vertices.merge(std::move(on_face.vertices), {});
-    on_face.for_each_index([&](std::size_t& i) { i = m_vertices[i]; });
-    m_all.pieces.insert(m_all.pieces.end(), on_face.pieces.begin(), on_face.pieces.end());
-    m_all.undecided.insert(m_all.undecided.end(), on_face.undecided.begin(), on_face.undecided.end());
-    m_all.points.insert(m_all.points.end(), on_face.points.begin(), on_face.points.end());
-    m_all.summary += on_face.summary;
+    m_vertices = m_all.merge(std::move(on_face));
     for (std::size_t i = 0; i < is_solution.size(); ++i)
-      if (is_solution[i] && is_on_face(i) && !is_undecided(i) && !joins_vertex(i) && !splits_piece(i))
+      if (is_solution[i] && is_on_face(i) && !is_undecided(i) && !Curve_divisions::add(i))
         m_all.undecided.push_back({m_all.vertices[i].box, {i}, Undecided_reason::TOLERANCE});
   }
 
@@ -314,59 +392,72 @@ private:
   {
     return std::any_of(m_all.undecided.begin() + static_cast<std::ptrdiff_t>(m_first_undecided), m_all.undecided.end(), [&](const Undecided_box& box) { return touch(box.box, m_all.vertices[i].box); });
   }
+};
 
-  void make_singular(std::size_t i)
-  {
-    m_all.vertices.make_singular(i);
-    std::erase(m_all.points, i);
-  }
+/*
+The curves of two systems, which meet in the solutions of both: these are singular points of the union. What is not decided of them is undecided there.
+*/
+class United_curves
+{
+  std::array<Found_curves, 2> m_found;
+  const Constraint_system_d& m_both;   // all equalities, which are polynomials
+  std::vector<Undecided_box> m_undecided;
 
-  // The point is a vertex on the face.
-  bool joins_vertex(std::size_t i)
-  {
-    const auto same = std::find_if(m_vertices.begin(), m_vertices.end(), [&](std::size_t k) { return is_same(m_all.vertices[i], m_all.vertices[k]); });
-    if (same == m_vertices.end())
-      return false;
-    m_all.vertices.identify(i, *same);
-    m_all.for_each_index([&](std::size_t& k) { k = k == *same ? i : k; });
-    make_singular(i);
-    return true;
-  }
+public:
+  United_curves(Found_curves&& first, Found_curves&& second, const Constraint_system_d& both) : m_found{std::move(first), std::move(second)}, m_both(both) {}
 
-  // Both are solutions on the face. A regular vertex is the only one in its region on its plane, or where its inequality is zero.
-  static bool is_same(const Plane_point& point, const Plane_point& vertex)
+  Found_curves operator()(const Solution_set_d<double>& common_points)
   {
-    const auto is_number = [](const auto& range) { return range.first == range.second; };
-    if (point.box == vertex.box && std::all_of(point.box.begin(), point.box.end(), is_number))
-      return true;
-    if (vertex.kind != Plane_point::REGULAR || !is_within(point.box, vertex.region))
-      return false;
-    if (const std::optional<std::size_t> plane = vertex.first_plane())
-      return point.is_fixed[*plane] && point.box[*plane] == vertex.box[*plane];
-    return vertex.inequality && point.inequality == vertex.inequality;
-  }
-
-  // The point lies in a piece on the face, which becomes two.
-  bool splits_piece(std::size_t i)
-  {
-    const Exact_ranges& point = m_all.vertices[i].box;
-    for (std::size_t p = m_first; p < m_all.pieces.size(); ++p) {
-      Curve_piece& piece = m_all.pieces[p];
-      if (piece.parameter < 0 || !is_within(point, piece.box))
-        continue;
-      const auto range = [&](std::size_t k) { return m_all.vertices[k].box[piece.parameter]; };
-      auto [first, last] = std::pair(range(piece.ends[0]), range(piece.ends[1]));
-      if (last.first < first.first)
-        std::swap(first, last);
-      if (!(first.second < point[piece.parameter].first && point[piece.parameter].second < last.first))
-        continue;
-      Curve_piece rest = piece;
-      piece.ends[1] = rest.ends[0] = i;
-      m_all.pieces.push_back(std::move(rest));
-      make_singular(i);
-      return true;
+    std::vector<std::array<std::size_t, 2>> same;
+    for (const Solution_d<double>& point : common_points)
+      if (point.kind() == Solution_kind::CERTIFIED)
+        same.push_back(divided_at(place(point)));
+      else
+        m_undecided.push_back({point.exact_box(), {}, Undecided_reason::TOLERANCE});
+    auto& [result, second] = m_found;
+    const Vertex_indices places = result.merge(std::move(second));
+    for (const auto& [i, other] : same) {
+      result.vertices.identify(i, places[other]);
+      result.for_each_index([&, i = i, other = places[other]](std::size_t& index) { index = index == other ? i : index; });
     }
-    return false;
+    result.undecided.insert(result.undecided.end(), m_undecided.begin(), m_undecided.end());
+    return std::move(result);
+  }
+
+private:
+  // The vertices of both that a point becomes.
+  std::array<std::size_t, 2> divided_at(const Exact_ranges& point)
+  {
+    std::array<std::size_t, 2> result;
+    for (const std::size_t k : {0, 1}) {
+      Vertex_indices others(m_found[k].vertices.size());
+      std::iota(others.begin(), others.end(), std::size_t(0));
+      result[k] = m_found[k].vertices.add(Plane_point::singular(point));
+      if (!Curve_divisions(m_found[k], 0, std::move(others)).add(result[k]))
+        m_undecided.push_back({point, {}, Undecided_reason::TOLERANCE});
+    }
+    return result;
+  }
+
+  // The box of a solution; a rational point that is a singular vertex, if it is this one.
+  Exact_ranges place(const Solution_d<double>& point) const
+  {
+    for (const Found_curves& found : m_found)
+      for (std::size_t i = 0; i < found.vertices.size(); ++i)
+        if (const Plane_point& vertex = found.vertices[i]; vertex.is_singular_point() && is_within(vertex.box, point.exact_uniqueness_region()) && is_solution(vertex.box))
+          return vertex.box;
+    return point.exact_box();
+  }
+
+  bool is_solution(const Exact_ranges& box) const
+  {
+    std::vector<Exact_rational> point;
+    for (const auto& [lower, upper] : box) {
+      if (lower != upper)
+        return false;
+      point.push_back(lower);
+    }
+    return std::all_of(m_both.equalities().begin(), m_both.equalities().end(), [&](const Spline_function& f) { return CGAL::is_zero(polynomial_at(f, point)(point)); });
   }
 };
 

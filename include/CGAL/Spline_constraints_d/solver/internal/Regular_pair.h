@@ -37,17 +37,45 @@ inline std::vector<Power_polynomial> monomials_in_space(int degree)
   return result;
 }
 
+// A monomial times one of some polynomials.
+struct Polynomial_multiple
+{
+  std::size_t index;   // of the polynomial
+  Power_polynomial multiplier, product;
+};
+
+// Whether a multiple of the first polynomial seems to be a sum of others and of the last ones, modulo a prime: this takes no time, and serves to save work only.
+inline bool seem_to_be_dependent(const std::vector<Polynomial_multiple>& multiples, const std::map<Monomial, std::size_t>& place)
+{
+  using Field = Prime_field_polynomial;
+  std::vector<std::pair<std::size_t, std::vector<Field::Number>>> rows;   // with the places of their ones
+  for (auto multiple = multiples.rbegin(); multiple != multiples.rend(); ++multiple) {
+    std::vector<Field::Number> row(place.size(), 0);
+    for (const auto& [monomial, coefficient] : multiple->product.terms())
+      row[place.at(monomial)] = Field::residue(coefficient);
+    for (const auto& [one, other] : rows)
+      if (const Field::Number factor = row[one]; factor != 0)
+        for (std::size_t j = 0; j < row.size(); ++j)
+          row[j] = Field::difference(row[j], other[j] * factor % Field::prime);
+    const auto pivot = std::find_if(row.begin(), row.end(), [](Field::Number x) { return x != 0; });
+    if (pivot != row.end()) {
+      const Field::Number factor = Field::inverse(*pivot);
+      for (Field::Number& x : row)
+        x = x * factor % Field::prime;
+      rows.emplace_back(static_cast<std::size_t>(pivot - row.begin()), std::move(row));
+    } else if (multiple->index == 0)
+      return true;
+  }
+  return false;
+}
+
 /*
-The polynomials c_i with c_0 f_0 + c_1 f_1 + ... = 0, up to some degrees: a basis, by linear algebra in their coefficients, in echelon form. If c_0 has the degree zero and is not zero in one of them, it is so in the first, where it is 1. None if these are more than `most` coefficients.
+The polynomials c_i with c_0 f_0 + c_1 f_1 + ... = 0, up to some degrees: a basis, by linear algebra in their coefficients, in echelon form. If c_0 has the degree zero and is not zero in one of them, it is so in the first, where it is 1. None if these are more than `most` coefficients, or c_0 seems to be zero in
+all of them.
 */
 inline std::vector<std::vector<Power_polynomial>> polynomial_relations(const std::vector<Power_polynomial>& f, const std::vector<int>& degrees, std::size_t most = 130)
 {
-  struct Product
-  {
-    std::size_t index;
-    Power_polynomial multiplier, product;
-  };
-  std::vector<Product> products;
+  std::vector<Polynomial_multiple> products;
   std::map<Monomial, std::size_t> place;
   for (std::size_t i = 0; i < f.size(); ++i)
     for (const Power_polynomial& monomial : monomials_in_space(degrees[i])) {
@@ -55,7 +83,7 @@ inline std::vector<std::vector<Power_polynomial>> polynomial_relations(const std
       for (const auto& [own, coefficient] : products.back().product.terms())
         place.try_emplace(own, place.size());
     }
-  if (products.size() > most)
+  if (products.size() > most || !seem_to_be_dependent(products, place))
     return {};
   Echelon_form rows;   // each has the coefficients of a sum, and behind them those of the monomials that it is made of
   for (std::size_t k = 0; k < products.size(); ++k) {
@@ -147,9 +175,6 @@ public:
     return 0;
   }
 
-private:
-  Regular_pair(Polynomials given, Polynomials regular) : m_given(std::move(given)), m_regular(std::move(regular)) {}
-
   // The same pair, or with the difference of multiples in the place of one, where the terms of the highest degree are multiples of each other.
   static Polynomials with_lower_degree(const Polynomials& fg)
   {
@@ -163,7 +188,7 @@ private:
     return difference.is_constant() || difference.total_degree() == degree ? fg : Polynomials{fg[0], difference};
   }
 
-  // The polynomials h.
+  // The polynomials h of a degree that are no combinations of f and g.
   static std::vector<Power_polynomial> factors_of_gradients(const Polynomials& fg, int degree)
   {
     const std::array<int, 3> w{1, 3, -2};
@@ -180,6 +205,9 @@ private:
           result.push_back(relation[0]);
     return result;
   }
+
+private:
+  Regular_pair(Polynomials given, Polynomials regular) : m_given(std::move(given)), m_regular(std::move(regular)) {}
 
   // Whether the equations above are true for some k.
   bool has_same_zeros()

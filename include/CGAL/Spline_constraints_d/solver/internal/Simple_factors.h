@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Regular_pair.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Separated_contact.h>
 #include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
 #include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
@@ -190,13 +191,15 @@ inline std::optional<std::array<Power_polynomial, 2>> two_polynomials_in_space(c
 
 /*
 A system whose equalities have no repeated factors, with the same solutions as a given one: no curve is singular everywhere. It knows how often a curve counts in the given one. Of two polynomials in three unknowns without repeated factors it is that of a
-regular pair.
+regular pair, or there are two systems with the solutions of which these are all.
 */
 class Simple_factors
 {
   std::vector<Factored_spline> m_equalities;
   std::optional<Regular_pair> m_pair;
+  std::optional<Separated_contact> m_contact;
   Constraint_system_d m_system;
+  std::optional<Constraint_system_d> m_other;
   bool m_is_simpler = false;
 
 public:
@@ -222,11 +225,19 @@ public:
 
   const Constraint_system_d& system() const { return m_system; }
 
+  // With the other solutions, if there are two systems.
+  const std::optional<Constraint_system_d>& other_system() const { return m_other; }
+
+  // How often the curve through a vertex counts, which is a regular solution of the other system; 0 if this is not known.
+  int multiplicity_in_other(const Exact_ranges& vertex) const { return m_contact->multiplicity(1, vertex); }
+
   // How often the curve through a vertex counts, which is a regular solution of the system and lies in a box of one cell; 0 if this is not known.
   int multiplicity(const Exact_ranges& box, const Exact_ranges& vertex) const
   {
     if (m_pair)
       return m_pair->multiplicity(vertex);
+    if (m_contact)
+      return m_contact->multiplicity(0, vertex);
     int result = 1;
     for (const Factored_spline& equality : m_equalities)
       if (equality.is_simpler())
@@ -237,14 +248,25 @@ public:
 private:
   void use_regular_pair(const Constraint_system_d& system)
   {
-    if (const auto polynomials = two_polynomials_in_space(system))
+    const auto polynomials = two_polynomials_in_space(system);
+    if (polynomials)
       m_pair = Regular_pair::make(*polynomials);
-    if (!m_pair)
+    if (polynomials && !m_pair && system.inequalities().empty() && seem_to_touch_along_curves(*polynomials))
+      m_contact = Separated_contact::make(*polynomials);
+    if (!m_pair && !m_contact)
       return;
     m_is_simpler = true;
-    m_system = Constraint_system_d(domain_of(system));
-    for (const Power_polynomial& polynomial : m_pair->polynomials())
-      m_system.add(polynomial, Relation::EQUAL);
+    m_system = system_of(system, m_pair ? m_pair->polynomials() : m_contact->pairs()[0]);
+    if (m_contact)
+      m_other = system_of(system, m_contact->pairs()[1]);
+  }
+
+  static Constraint_system_d system_of(const Constraint_system_d& given, const std::array<Power_polynomial, 2>& pair)
+  {
+    Constraint_system_d result(domain_of(given));
+    for (const Power_polynomial& polynomial : pair)
+      result.add(polynomial, Relation::EQUAL);
+    return result;
   }
 };
 
