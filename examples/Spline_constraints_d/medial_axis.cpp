@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
 {
   try {
     std::vector<SC::Bspline_curve_2<K>> curves;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "leaf.svg"))
+    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg"))
       curves.push_back(element.curve);
     const auto axis = SC::medial_axis(SC::planar_region(curves));
 
