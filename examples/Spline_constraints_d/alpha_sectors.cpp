@@ -11,16 +11,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
-
-// To 1/1024: short enough for a drawing.
-K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 int main()
 {
@@ -32,12 +28,8 @@ int main()
     bool is_complete = true;
     for (int k = 1; k < 8; ++k) {
       const auto sectors = SC::alpha_sectors(a, b, k / 8.0);
-      for (const auto& curve : sectors.curves()) {
-        std::vector<K::Point_2> points;
-        for (const auto& sample : sectors.polyline(curve, 5e-3, 10))
-          points.push_back(rounded(sample.point));
-        picture.curve(SC::polyline_curve(points), colours[k - 1], 2);
-      }
+      for (const auto& curve : sectors.curves())
+        picture.polyline(sectors.polyline(curve, 5e-3, 10), colours[k - 1], 2);
       std::cout << "alpha = " << k << "/8  " << sectors << '\n';
       is_complete = is_complete && sectors.is_complete();
     }

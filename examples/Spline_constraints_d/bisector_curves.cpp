@@ -51,15 +51,12 @@ int main(int argc, char* argv[])
     std::size_t index = 0;
     for (const auto& curve : bisector.curves()) {
       const auto samples = bisector.polyline(curve, 1e-3 * size, 2 * size);
-      std::vector<K::Point_2> points;
-      for (const auto& sample : samples) {
-        if (points.size() % 12 == 6 && CGAL::do_overlap(sample.point.bbox(), window))   // the radii of some circles that touch both curves
-          picture.curve(SC::polyline_curve(std::vector<K::Point_2>{a(sample.parameters[0]), sample.point, b(sample.parameters[1])}), "#bbb", 1);
-        points.push_back(sample.point);
-      }
+      for (std::size_t i = 6; i < samples.size(); i += 12)
+        if (CGAL::do_overlap(samples[i].point.bbox(), window))   // the radii of some circles that touch both curves
+          picture.polyline(std::vector<K::Point_2>{a(samples[i].parameters[0]), samples[i].point, b(samples[i].parameters[1])}, "#bbb", 1);
       std::cout << "curve " << ++index << "  " << (curve.is_closed ? "closed" : "open") << ", parameters (" << samples.front().parameters[0] << ", " << samples.front().parameters[1] << ") to ("
                 << samples.back().parameters[0] << ", " << samples.back().parameters[1] << ")" << (bisector.ends_at_infinity(curve, 0) || bisector.ends_at_infinity(curve, 1) ? ", to infinity" : "") << '\n';
-      picture.curve(SC::polyline_curve(points), colours[(index - 1) % 6], 2);
+      picture.polyline(samples, colours[(index - 1) % 6], 2);
     }
     picture.curve(a, "black", 4);
     picture.curve(b, "black", 4);

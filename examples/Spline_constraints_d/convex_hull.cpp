@@ -8,15 +8,12 @@
 // Writes convex_hull.svg. Exit status: 0 when all of the boundary is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -24,17 +21,12 @@ using K = CGAL::Simple_cartesian<double>;
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<SC::Bspline_curve_2<K>> curves;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg"))
-      curves.push_back(element.curve);
+    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg");
     const auto hull = SC::convex_hull(curves);
 
-    const CGAL::Bbox_2 box = hull.polygon(1).bbox();
-    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 30;
-    const auto polygon = hull.polygon(size / 5000);
     std::ofstream file("convex_hull.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 600);
-    picture.polygon(std::vector<K::Point_2>(polygon.begin(), polygon.end()), "#dbe9f6");
+    SC::SVG_writer picture(file, curves);
+    picture.polygon(hull.polygon(picture.pixel() / 8), "#dbe9f6");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);
     std::size_t arcs = 0, segments = 0;
@@ -42,7 +34,7 @@ int main(int argc, char* argv[])
       const auto& edge = hull.edges()[i];
       const bool is_arc = edge.kind == SC::Hull_edge_kind::ARC;
       ++(is_arc ? arcs : segments);
-      picture.curve(SC::polyline_curve(hull.polyline(i, size / 5000)), is_arc ? "#d62728" : "#1f77b4", 4);
+      picture.polyline(hull.polyline(i, picture.pixel() / 8), is_arc ? "#d62728" : "#1f77b4", 4);
     }
     for (const auto& edge : hull.edges())
       picture.point(hull.point(edge.source), "black", 8);

@@ -3,7 +3,6 @@
 
 // The geometry of a curve of solutions: its tangents and curvature, its turning points and vertices, proved to be all, and a B-spline curve next to it. Draws them into curve_geometry.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
@@ -40,7 +39,7 @@ int main()
   for (const std::vector<double>& p : SC::to_polyline(system, set, curve, 2e-4)) {   // a comb: towards the outside where the curve is convex, as long as the curvature
     const std::vector<SC::Exact_rational> towards_center = SC::curve_differentials(system, p)->curvature_vector();
     const K::Point_2 foot(p[0], p[1]), tip(p[0] - 0.12 * CGAL::to_double(towards_center[0]), p[1] - 0.12 * CGAL::to_double(towards_center[1]));
-    picture.curve(SC::polyline_curve(std::vector<K::Point_2>{foot, tip}), "#9ecae1", 1);
+    picture.polyline(std::vector<K::Point_2>{foot, tip}, "#9ecae1", 1);
   }
   const SC::Fitted_spline_d spline = SC::fit_spline(system, set, curve, 1e-5);
   picture.curve(spline.curve_2<K>(), "black", 2);

@@ -6,12 +6,10 @@
 //
 // Writes envelope_curve.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -20,9 +18,6 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 using Curve = SC::Bspline_curve_2<K>;
-
-// To 1/1024: short enough for a drawing.
-K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 // A smooth closed cubic spline.
 Curve closed_curve(const std::vector<K::Point_2>& points)
@@ -35,12 +30,8 @@ Curve closed_curve(const std::vector<K::Point_2>& points)
 
 void draw(SC::SVG_writer& picture, const SC::Curve_pair_locus_2<K>& envelope, const std::string& color, double width)
 {
-  for (const auto& curve : envelope.curves()) {
-    std::vector<K::Point_2> points;
-    for (const auto& sample : envelope.polyline(curve, 5e-3, 100))
-      points.push_back(rounded(sample.point));
-    picture.curve(SC::polyline_curve(points), color, width);
-  }
+  for (const auto& curve : envelope.curves())
+    picture.polyline(envelope.polyline(curve, 5e-3, 100), color, width);
 }
 
 int main()

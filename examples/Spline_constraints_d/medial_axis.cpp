@@ -8,17 +8,13 @@
 // Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -26,32 +22,21 @@ using K = CGAL::Simple_cartesian<double>;
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<SC::Bspline_curve_2<K>> curves;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg"))
-      curves.push_back(element.curve);
+    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg");
     const auto axis = SC::medial_axis(SC::planar_region(curves));
 
-    CGAL::Bbox_2 box = curves.front().bbox();
-    for (const auto& curve : curves)
-      box += curve.bbox();
-    const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 30;
     std::ofstream file("medial_axis.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 600);
-    std::vector<std::vector<K::Point_2>> edges;
+    SC::SVG_writer picture(file, curves);
     for (std::size_t e = 0; e < axis.edges().size(); ++e) {
       K::Point_2 last = axis.vertices()[axis.edges()[e].vertices[0]].point;
-      edges.emplace_back();
-      for (const auto& sample : axis.polyline(e, size / 5000)) {
-        edges.back().push_back(sample.point);
-        if (CGAL::squared_distance(sample.point, last) > size * size / 400 && sample.radius > 0) {
-          picture.curve(SC::ellipse_curve(sample.point, K::Vector_2(sample.radius, 0), K::Vector_2(0, sample.radius)), "#9ecae1", 1);
+      const auto edge = axis.polyline(e, picture.pixel() / 8);
+      for (const auto& sample : edge)
+        if (CGAL::squared_distance(sample.point, last) > CGAL::square(picture.extent() / 20) && sample.radius > 0) {
+          picture.circle(sample.point, sample.radius, "#9ecae1", 1);
           last = sample.point;
         }
-      }
+      picture.polyline(edge, "#d62728", 2.5);
     }
-    for (const auto& edge : edges)
-      if (edge.size() > 1)
-        picture.curve(SC::polyline_curve(edge), "#d62728", 2.5);
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 

@@ -10,7 +10,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -18,14 +17,6 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 using Point = K::Point_2;
-
-// To 1/1024: short enough for a drawing.
-std::vector<Point> rounded(std::vector<Point> points)
-{
-  for (Point& p : points)
-    p = Point(std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024);
-  return points;
-}
 
 int main()
 {
@@ -35,28 +26,18 @@ int main()
     const auto a = SC::planar_region(bay), b = SC::planar_region(leaf);
     const auto sum = SC::minkowski_sum(a, b);
 
-    CGAL::Bbox_2 box;
     const auto polygons = sum.polygons_with_holes(2e-3);
-    for (const auto& polygon : polygons)
-      box += polygon.bbox();
     std::ofstream file("minkowski_sum.svg");
-    SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - 0.1, box.ymin() - 0.1, box.xmax() + 0.1, box.ymax() + 0.1), 600);
-    for (const auto& polygon : polygons) {
-      picture.polygon(rounded({polygon.outer_boundary().begin(), polygon.outer_boundary().end()}), "#dbe9f6");
-      for (const auto& hole : polygon.holes())
-        picture.polygon(rounded({hole.begin(), hole.end()}), "white");
-    }
+    SC::SVG_writer picture(file, polygons);
+    for (const auto& polygon : polygons)
+      picture.polygon(polygon, "#dbe9f6");
     for (double t = 0; t < bay.domain().second; t += 0.25)
       for (const auto& curve : leaf)
         picture.curve(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, bay(t) - CGAL::ORIGIN)), "#aaa", 1);
     picture.curve(bay, "black", 3);
     for (std::size_t i = 0; i < sum.boundaries().size(); ++i)
-      for (std::size_t k = 0; k < sum.boundaries()[i].arcs.size(); ++k) {
-        std::vector<Point> points;
-        for (const auto& sample : sum.polyline(i, k, 2e-3))
-          points.push_back(sample.point);
-        picture.curve(SC::polyline_curve(rounded(points)), "#d62728", 3);
-      }
+      for (std::size_t k = 0; k < sum.boundaries()[i].arcs.size(); ++k)
+        picture.polyline(sum.polyline(i, k, 2e-3), "#d62728", 3);
 
     for (const auto& boundary : sum.boundaries())
       std::cout << (boundary.is_hole ? "a hole of " : "an outer boundary of ") << boundary.arcs.size() << " arcs\n";

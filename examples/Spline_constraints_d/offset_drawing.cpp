@@ -8,7 +8,6 @@
 // Writes offset_drawing.svg, with the offsets at NUMBER multiples of DISTANCE in graded colors. Exit status: 0 when all of them are proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -20,7 +19,6 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
@@ -37,27 +35,21 @@ std::string color(double share)
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<SC::Bspline_curve_2<K>> curves;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg"))
-      curves.push_back(element.curve);
+    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg");
     const double distance = argc > 2 ? std::atof(argv[2]) : 2.1;
     const int number = argc > 3 ? std::atoi(argv[3]) : 6;
 
-    CGAL::Bbox_2 box = curves.front().bbox();
+    CGAL::Bbox_2 box;
     for (const auto& curve : curves)
       box += curve.bbox();
-    const double margin = 1.1 * distance * number, size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()) + 2 * margin;
+    const double margin = 1.1 * distance * number;
     std::ofstream file("offset_drawing.svg");
     SC::SVG_writer picture(file, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin), 700);
     bool is_complete = true;
     for (int i = number; i > 0; --i) {
       const auto offset = SC::trimmed_offset(curves, i * distance);
-      for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc) {
-        std::vector<K::Point_2> points = offset.polyline(arc, size / 5000);
-        for (K::Point_2& p : points)   // with few decimals
-          p = K::Point_2(std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024);
-        picture.curve(SC::polyline_curve(points), color(static_cast<double>(i) / number), 2);
-      }
+      for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
+        picture.polyline(offset.polyline(arc, picture.pixel() / 8), color(static_cast<double>(i) / number), 2);
       const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return boundary.is_hole; });
       std::cout << "distance " << i * distance << ": arcs: " << offset.arcs().size() << "; components: " << static_cast<std::ptrdiff_t>(offset.boundaries().size()) - holes << "; holes: " << holes
                 << "; complete: " << (offset.is_complete() ? "yes" : "no") << '\n';

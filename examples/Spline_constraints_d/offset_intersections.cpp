@@ -14,7 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -23,14 +23,11 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<SC::Exact_rational>;
 
-// Rounded to 1/1024: short enough for a drawing.
-K::Point_2 rounded(double x, double y) { return {std::round(1024 * x) / 1024, std::round(1024 * y) / 1024}; }
-
 void draw(SC::SVG_writer& svg, const std::string& what, const SC::Locus_intersections<2>& answers, const std::string& color)
 {
   for (const auto& answer : answers) {
     std::cout << what << ": " << answer.kind() << " at parameter " << answer.parameter(0) << ", (" << answer.coordinate(0) << ", " << answer.coordinate(1) << ")\n";
-    svg.point(rounded(answer.coordinate(0), answer.coordinate(1)), color, 10);
+    svg.point(K::Point_2(answer.coordinate(0), answer.coordinate(1)), color, 10);
   }
 }
 
@@ -50,21 +47,17 @@ int main()
   SC::SVG_writer svg(out, CGAL::Bbox_2(-4, -0.5, 4, 3.5));
   const K::Point_2 center(0, 1.5);
   for (const int side : {-1, 1}) {   // a loop of the lemniscate, by its points on rays from its center
-    std::vector<K::Point_2> loop;
+    std::vector<std::array<double, 2>> loop;
     for (int i = -60; i <= 60; ++i) {
       const auto on_ray = SC::intersections(SC::segment_curve(center, center + K::Vector_2(4 * side, K::FT(4 * i) / 60)), lemniscate);
       const auto outermost = std::max_element(on_ray.begin(), on_ray.end(), [](const auto& a, const auto& b) { return a.parameter(0) < b.parameter(0); });
-      loop.push_back(rounded(outermost->coordinate(0), outermost->coordinate(1)));
+      loop.push_back({outermost->coordinate(0), outermost->coordinate(1)});
     }
-    svg.curve(SC::polyline_curve(loop), "#2ca02c", 2);
+    svg.polyline(loop, "#2ca02c", 2);
   }
   svg.curve(curve, "black", 2.5);
-  for (const SC::Offset_arc_2& arc : arcs) {
-    std::vector<K::Point_2> points;
-    for (const SC::Offset_sample_2& sample : arc.samples)
-      points.push_back(rounded(sample.point[0], sample.point[1]));
-    svg.curve(SC::polyline_curve(points), "#1f77b4", 1.5);
-  }
+  for (const SC::Offset_arc_2& arc : arcs)
+    svg.polyline(arc.samples, "#1f77b4");
   svg.label(K::Point_2(K::FT(-39) / 10, 3), "curve");
   svg.label(K::Point_2(K::FT(-6) / 5, 3), "offset", "#1f77b4");
   svg.label(K::Point_2(K::FT(-39) / 10, K::FT(3) / 2), "lemniscate", "#2ca02c");

@@ -5,7 +5,6 @@
 //
 // Writes region_kernel.svg. Exit status: 0 when all is proved, 3 when a part is not.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
 
@@ -13,18 +12,9 @@
 
 #include <fstream>
 #include <iostream>
-#include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
-
-// The corners of a polygon within a distance of a boundary.
-template <class Boundary>
-std::vector<K::Point_2> corners(const Boundary& boundary)
-{
-  const auto polygon = boundary.polygon(1e-3);
-  return {polygon.vertices_begin(), polygon.vertices_end()};
-}
 
 int main()
 {
@@ -35,17 +25,17 @@ int main()
 
   std::ofstream file("region_kernel.svg");
   SC::SVG_writer picture(file, CGAL::Bbox_2(-4.2, -3.5, 4.9, 4.1), 600);
-  picture.polygon(corners(visible), "#eeeeee");
-  picture.polygon(corners(kernel), "#dbe9f6");
+  picture.polygon(visible.polygon(1e-3), "#eeeeee");
+  picture.polygon(kernel.polygon(1e-3), "#dbe9f6");
   picture.curve(curve, "black", 2);
   for (std::size_t i = 0; i < visible.edges().size(); ++i)
     if (visible.edges()[i].kind == SC::Visible_edge_kind::SEGMENT)
-      picture.curve(SC::polyline_curve(visible.polyline(i, 1e-3)), "#888888", 2);
+      picture.polyline(visible.polyline(i, 1e-3), "#888888", 2);
   std::size_t arcs = 0, segments = 0;
   for (std::size_t i = 0; i < kernel.edges().size(); ++i) {
     const bool is_arc = kernel.edges()[i].kind == SC::Kernel_edge_kind::ARC;
     ++(is_arc ? arcs : segments);
-    picture.curve(SC::polyline_curve(kernel.polyline(i, 1e-3)), is_arc ? "#d62728" : "#1f77b4", 4);
+    picture.polyline(kernel.polyline(i, 1e-3), is_arc ? "#d62728" : "#1f77b4", 4);
     picture.point(kernel.source(i), "black", 7);
   }
   picture.point(viewpoint, "black", 9);

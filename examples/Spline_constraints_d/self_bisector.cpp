@@ -5,12 +5,10 @@
 //
 // Writes self_bisector.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -18,9 +16,6 @@
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
 using Curve = SC::Bspline_curve_2<K>;
-
-// To 1/1024: short enough for a drawing.
-K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 int main()
 {
@@ -33,14 +28,11 @@ int main()
     SC::SVG_writer picture(file, CGAL::Bbox_2(-6, -6, 7, 6), 700);
     std::vector<K::Point_2> ends;
     for (const auto& part : bisector.curves()) {
-      std::vector<K::Point_2> points;
       const auto samples = bisector.polyline(part, 5e-3, 20);
-      for (const auto& sample : samples)
-        points.push_back(rounded(sample.point));
       for (const auto* sample : {&samples.front(), &samples.back()})
         if (sample->parameters[0] == sample->parameters[1])
-          ends.push_back(rounded(sample->point));
-      picture.curve(SC::polyline_curve(points), "#d62728", 2);
+          ends.push_back(sample->point);
+      picture.polyline(samples, "#d62728", 2);
     }
     picture.curve(curve, "black", 4);
     for (const K::Point_2& end : ends)

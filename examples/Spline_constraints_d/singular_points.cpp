@@ -3,12 +3,12 @@
 
 // Singular points of six planar curves, with a proof of how many branches end in each: cusps, a triple point, circles that touch. Drawn into singular_points.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -29,10 +29,10 @@ void draw(SC::SVG_writer& picture, const Curve& curve, const SC::Constraint_syst
 {
   const char* const colors[] = {"#1f77b4", "#2ca02c", "#ff7f0e", "#9467bd"};
   for (std::size_t c = 0; c < set.curves().size(); ++c) {
-    std::vector<Point> points;
+    std::vector<std::array<double, 2>> points;
     for (const std::vector<double>& p : to_polyline(system, set, set.curves()[c], 1e-3))
-      points.emplace_back(u + p[0], v + p[1]);
-    picture.curve(SC::polyline_curve(points), colors[c % 4], 2.5);
+      points.push_back({u + p[0], v + p[1]});
+    picture.polyline(points, colors[c % 4], 2.5);
   }
   for (const std::size_t i : set.singular_points())
     picture.point(Point(u + set.vertices()[i].point()[0], v + set.vertices()[i].point()[1]), "#d62728", 9);

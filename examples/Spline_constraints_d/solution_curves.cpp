@@ -4,7 +4,6 @@
 // Curves of solutions with a proved topology: T4(x) T4(y) = 1/2 in the square, 5 closed curves and 8 open ones, drawn into solution_curves.svg; a circle of radius 0.0005 that nobody pointed at; and
 // a sphere that meets a cylinder in two loops.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
@@ -27,13 +26,9 @@ int main()
 
   std::ofstream file("solution_curves.svg");
   SC::SVG_writer picture(file, CGAL::Bbox_2(-1.15, -1.15, 1.15, 1.3), 600);
-  picture.curve(SC::polyline_curve(std::vector<K::Point_2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}), "#99a", 1);
-  for (const SC::Solution_curve& curve : contours.curves()) {
-    std::vector<K::Point_2> points;
-    for (const std::vector<double>& p : SC::to_polyline(system, contours, curve, 1e-3))
-      points.emplace_back(p[0], p[1]);
-    picture.curve(SC::polyline_curve(points), curve.is_closed ? "#2ca02c" : "#1f77b4", 2);
-  }
+  picture.polyline(std::vector<K::Point_2>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}, "#99a", 1);
+  for (const SC::Solution_curve& curve : contours.curves())
+    picture.polyline(SC::to_polyline(system, contours, curve, 1e-3), curve.is_closed ? "#2ca02c" : "#1f77b4", 2);
   for (const SC::Curve_vertex& vertex : contours.vertices())
     picture.point(K::Point_2(vertex.point()[0], vertex.point()[1]), vertex.is_on_boundary ? "#d62728" : "#777", vertex.is_on_boundary ? 7 : 4);
   picture.label(K::Point_2(-1.1, 1.18), "T4(x) T4(y) = 1/2: 5 closed curves (green), 8 open ones with 16 ends (red)", "black", 15);

@@ -30,21 +30,14 @@ int main()
   std::ofstream text("swept_area.wkt");
   SC::IO::write_WKT(text, polygons);
   std::ofstream file("swept_area.svg");
-  SC::SVG_writer picture(file, CGAL::Bbox_2(-0.5, -0.5, 10, 7), 600);
-  for (const auto& polygon : polygons) {
-    picture.polygon(std::vector<Point>(polygon.outer_boundary().begin(), polygon.outer_boundary().end()), "#dbe9f6");
-    for (const auto& hole : polygon.holes())
-      picture.polygon(std::vector<Point>(hole.begin(), hole.end()), "white");
-  }
+  SC::SVG_writer picture(file, polygons);
+  for (const auto& polygon : polygons)
+    picture.polygon(polygon, "#dbe9f6");
   for (double t = 0; t <= 4; t += 0.25)
     picture.curve(nib.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, path(t) - CGAL::ORIGIN)), "#888", 1);
   for (std::size_t i = 0; i < area.boundaries().size(); ++i)
-    for (std::size_t k = 0; k < area.boundaries()[i].arcs.size(); ++k) {
-      std::vector<Point> points;
-      for (const auto& sample : area.polyline(i, k, 2e-3))
-        points.push_back(sample.point);
-      picture.curve(SC::polyline_curve(points), "#d62728", 2.5);
-    }
+    for (std::size_t k = 0; k < area.boundaries()[i].arcs.size(); ++k)
+      picture.polyline(area.polyline(i, k, 2e-3), "#d62728", 2.5);
   picture.curve(path, "black", 2);
 
   for (const auto& boundary : area.boundaries())

@@ -13,16 +13,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<double>;
-
-// To 1/1024: short enough for a drawing.
-K::Point_2 rounded(const K::Point_2& p) { return {std::round(1024 * p.x()) / 1024, std::round(1024 * p.y()) / 1024}; }
 
 int main()
 {
@@ -36,11 +32,8 @@ int main()
   for (const int k : {1, 2, 3, 5, 6, 7}) {
     const auto sector = SC::trimmed_alpha_sector(a, b, k / 8.0);
     for (const auto& chain : sector.chains()) {
-      std::vector<K::Point_2> points;
       for (const std::size_t arc : chain.arcs)
-        for (const auto& sample : sector.polyline(arc, 0.005))
-          points.push_back(rounded(sample.point));
-      picture.curve(SC::polyline_curve(points), colours[k - 1], 2);
+        picture.polyline(sector.polyline(arc, 0.005), colours[k - 1], 2);
       std::cout << "alpha = " << k << "/8: " << chain.arcs.size() << " arcs" << (chain.is_closed ? ", closed\n" : "\n");
     }
     is_complete = is_complete && sector.is_complete();
@@ -48,12 +41,8 @@ int main()
 
   const auto bisector = SC::trimmed_bisector(a, b);
   for (const auto& chain : bisector.chains())
-    for (const auto& polyline : bisector.polylines(chain, 0.005, 15)) {
-      std::vector<K::Point_2> points;
-      for (const auto& sample : polyline)
-        points.push_back(rounded(sample.point));
-      picture.curve(SC::polyline_curve(points), "#999999", 2);
-    }
+    for (const auto& polyline : bisector.polylines(chain, 0.005, 15))
+      picture.polyline(polyline, "#999999", 2);
   picture.curve(a, "black", 4);
   picture.curve(b, "black", 4);
   return is_complete && bisector.is_complete() ? 0 : 3;

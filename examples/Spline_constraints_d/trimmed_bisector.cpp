@@ -7,7 +7,6 @@
 //
 // Writes trimmed_bisector.svg, with the trimmed bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
@@ -29,12 +28,8 @@ int main()
   SC::SVG_writer picture(file, CGAL::Bbox_2(-6, -4.5, 6, 4), 700);
 
   const auto untrimmed = SC::bisector_curves(a, b);
-  for (const auto& curve : untrimmed.curves()) {
-    std::vector<K::Point_2> points;
-    for (const auto& sample : untrimmed.polyline(curve, 0.005, 15))
-      points.push_back(sample.point);
-    picture.curve(SC::polyline_curve(points), "#cccccc", 2);
-  }
+  for (const auto& curve : untrimmed.curves())
+    picture.polyline(untrimmed.polyline(curve, 0.005, 15), "#cccccc", 2);
 
   const auto bisector = SC::trimmed_bisector(a, b);
   const auto& sites = bisector.diagram().sites();
@@ -47,13 +42,10 @@ int main()
     }
     std::cout << '\n';
     for (const auto& polyline : bisector.polylines(chain, 0.001, 15)) {
-      std::vector<K::Point_2> points;
-      for (const auto& sample : polyline) {
-        if (points.size() % 8 == 4 && sample.radius < 3)
-          picture.curve(SC::ellipse_curve(sample.point, K::Vector_2(sample.radius, 0), K::Vector_2(0, sample.radius)), "#9ecae1", 1);
-        points.push_back(sample.point);
-      }
-      picture.curve(SC::polyline_curve(points), "#d62728", 3);
+      for (std::size_t i = 4; i < polyline.size(); i += 8)
+        if (polyline[i].radius < 3)
+          picture.circle(polyline[i].point, polyline[i].radius, "#9ecae1", 1);
+      picture.polyline(polyline, "#d62728", 3);
     }
   }
   picture.curve(a, "black", 4);

@@ -26,12 +26,10 @@ using Point = K::Point_2;
 int main(int argc, char* argv[])
 {
   try {
-    std::vector<SC::Bspline_curve_2<K>> curves;
+    auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg");
     CGAL::Bbox_2 box;
-    for (const auto& element : SC::IO::read_SVG<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "drawing.svg")) {
-      curves.push_back(element.curve);
-      box += element.curve.bbox();
-    }
+    for (const auto& curve : curves)
+      box += curve.bbox();
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 20;
     const Point low(box.xmin() - margin, box.ymin() - margin), high(box.xmax() + margin, box.ymax() + margin);
     curves.push_back(SC::polyline_curve(std::vector<Point>{low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}));
@@ -40,15 +38,14 @@ int main(int argc, char* argv[])
 
     std::ofstream file("visible_part.svg");
     SC::SVG_writer picture(file, low.bbox() + high.bbox(), 600);
-    const auto polygon = visible.polygon(size / 5000);
-    picture.polygon(std::vector<Point>(polygon.begin(), polygon.end()), "#fdf3d0");
+    picture.polygon(visible.polygon(picture.pixel() / 8), "#fdf3d0");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);
     std::size_t arcs = 0, segments = 0;
     for (std::size_t i = 0; i < visible.edges().size(); ++i) {
       const bool is_arc = visible.edges()[i].kind == SC::Visible_edge_kind::ARC;
       ++(is_arc ? arcs : segments);
-      picture.curve(SC::polyline_curve(visible.polyline(i, size / 5000)), is_arc ? "#d62728" : "#e0a000", is_arc ? 4 : 1.5);
+      picture.polyline(visible.polyline(i, picture.pixel() / 8), is_arc ? "#d62728" : "#e0a000", is_arc ? 4 : 1.5);
     }
     picture.point(viewpoint, "black", 9);
 

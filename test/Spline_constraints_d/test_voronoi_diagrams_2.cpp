@@ -71,6 +71,45 @@ TEST(VoronoiDiagrams, Triangle)
   expect_empty_disks(diagram, sides);
 }
 
+// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis: there one fan of normals or one arc ends and the next one begins.
+TEST(VoronoiDiagrams, VerticesInTheDirectionOfAnAxis)
+{
+  const auto circle = [](double x, double y) { return SC::circle_curve(P(x, y), 1.); };
+  struct Scene
+  {
+    Curves curves;
+    std::vector<P> points;
+    std::vector<P> vertices;   // of degree three or more
+  };
+  const std::vector<Scene> scenes{
+    {{bezier({P(0, 0), P(8, 0)}), bezier({P(0, 4), P(8, 4)})}, {P(4, 2)}, {P(2, 2), P(6, 2)}},
+    {{bezier({P(0, 0), P(8, 4)}), bezier({P(-2, 4), P(6, 8)})}, {P(3, 4)}, {P(1, 3), P(5, 5)}},
+    {{circle(-4, 0), circle(4, 0)}, {P(0, 4)}, {P(0, 0.9)}},
+    {{circle(-4, 0), circle(4, 0), circle(0, 4), circle(0, -4)}, {}, {P(0, 0)}}};
+  for (const Scene& scene : scenes) {
+    const Diagram diagram = SC::voronoi_diagram(scene.curves, scene.points);
+    EXPECT_TRUE(diagram.is_complete());
+    EXPECT_EQ(counts(diagram).branching, scene.vertices.size());
+    for (const P& vertex : scene.vertices)
+      EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() > 2 && distance(v.point, vertex) < 1e-12; }));
+    expect_euler(diagram);
+  }
+}
+
+TEST(VoronoiDiagrams, NumbersWithRoots)
+{
+  const auto number = [](int a, int b) { return SC::internal::Number_with_root{a, b}; };
+  EXPECT_TRUE(number(1, 4) == number(3, 0));
+  EXPECT_TRUE(number(3, 0) == number(1, 4));
+  EXPECT_TRUE(number(-2, 9) == number(0, 1));
+  EXPECT_TRUE(number(5, 2) == number(5, 2));
+  EXPECT_FALSE(number(5, 2) == number(5, 3));
+  EXPECT_FALSE(number(5, 2) == number(4, 2));
+  EXPECT_FALSE(number(1, 4) == number(-1, 0));   // 1 - 2
+  EXPECT_FALSE(number(-1, 0) == number(1, 4));
+  EXPECT_FALSE(number(0, 8) == number(1, 2));
+}
+
 TEST(VoronoiDiagrams, CircleHasItsCenter)
 {
   const Diagram diagram = SC::voronoi_diagram(Curves{SC::ellipse_curve(P(1, 2), K::Vector_2(3, 0), K::Vector_2(0, 3))});

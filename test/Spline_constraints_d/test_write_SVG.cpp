@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -152,14 +153,85 @@ TEST(Write_SVG, views_without_extent_are_refused)
   EXPECT_TRUE(out.str().empty());
 }
 
-} // namespace
-
 TEST(Write_SVG, polygons)
 {
+  const std::vector<Point> outer{{0, 0}, {2, 0}, {2, 1}}, inner{{1, 0.25}, {1.5, 0.5}, {1.5, 0.25}};
+  CGAL::Polygon_with_holes_2<K> ring(CGAL::Polygon_2<K>(outer.begin(), outer.end()));
+  ring.add_hole(CGAL::Polygon_2<K>(inner.begin(), inner.end()));
   std::ostringstream out;
   {
     SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 2, 1), 100);
-    writer.polygon(std::vector<Point>{Point(0, 0), Point(2, 0), Point(0.5, 1)}, "red");
+    writer.polygon(outer, "red");
+    writer.polygon(ring, "blue");
   }
-  EXPECT_NE(out.str().find("<path d='M0 0L2 0L0.5 1Z' fill='red'"), std::string::npos);
+  EXPECT_NE(out.str().find("<path d='M0 0L2 0L2 1Z' fill='red'"), std::string::npos);
+  EXPECT_NE(out.str().find("<path d='M0 0L2 0L2 1ZM1 0.25L1.5 0.5L1.5 0.25Z' fill='blue' fill-rule='evenodd'"), std::string::npos);
 }
+
+// Points of a kernel, coordinates in a row and samples make the same line; it is rounded, but by a fiftieth of a pixel at most in each coordinate.
+TEST(Write_SVG, polylines)
+{
+  struct Sample
+  {
+    Point point;
+    double radius;
+  };
+  const std::vector<Point> points{{FT(1) / 3, FT(2) / 3}, {-1, FT(-1) / 7}, {12, 5}};
+  std::vector<std::array<double, 2>> rows;
+  std::vector<Sample> samples;
+  for (const Point& p : points) {
+    rows.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y())});
+    samples.push_back({p, 1});
+  }
+  for (const double pixel : {1e-6, 0.01, 0.7, 30.}) {
+    std::ostringstream out;
+    {
+      SC::SVG_writer writer(out, CGAL::Bbox_2(0, 0, 100 * pixel, pixel), 100);
+      EXPECT_NEAR(writer.pixel(), pixel, 1e-12 * pixel);
+      EXPECT_NEAR(writer.extent(), 100 * pixel, 1e-10 * pixel);
+      writer.polyline(points);
+      writer.polyline(rows);
+      writer.polyline(samples);
+    }
+    const std::vector<Curve> curves = read(out.str());
+    ASSERT_EQ(curves.size(), 3u);
+    EXPECT_TRUE(curves[0] == curves[1]);
+    EXPECT_TRUE(curves[0] == curves[2]);
+    const auto written_points = curves[0].bezier_pieces();
+    ASSERT_EQ(written_points.size(), 2u);
+    EXPECT_LE(CGAL::squared_distance(written_points[0].source(), points[0]), 2 * CGAL::square(FT(pixel) / 50));
+    EXPECT_LE(CGAL::squared_distance(written_points[1].source(), points[1]), 2 * CGAL::square(FT(pixel) / 50));
+    EXPECT_LE(CGAL::squared_distance(written_points[1].target(), points[2]), 2 * CGAL::square(FT(pixel) / 50));
+  }
+}
+
+TEST(Write_SVG, circles)
+{
+  std::ostringstream out;
+  {
+    SC::SVG_writer writer(out, CGAL::Bbox_2(-4, -4, 4, 4), 100);
+    writer.circle(Point(1, -2), FT(3) / 2, "green", 2);
+  }
+  const std::vector<Curve> curves = read(out.str());
+  ASSERT_EQ(curves.size(), 1u);
+  for (int i = 0; i <= 12; ++i) {
+    const auto [begin, end] = curves[0].domain();
+    EXPECT_EQ(CGAL::squared_distance(Point(1, -2), curves[0](begin + (end - begin) * FT(i) / 12)), FT(9) / 4);
+  }
+}
+
+// The drawing shows the boxes of all objects, with a margin on all sides.
+TEST(Write_SVG, views_around_objects)
+{
+  std::ostringstream out;
+  {
+    const SC::SVG_writer writer(out, std::vector<Point>{{0, 1}, {8, 5}, {4, 3}}, 200, 0.25);
+    EXPECT_EQ(writer.extent(), 12);
+    EXPECT_EQ(writer.pixel(), 12. / 200);
+  }
+  EXPECT_NE(out.str().find("viewBox='-2 -7 12 8' width='200'"), std::string::npos);
+  EXPECT_THROW(SC::SVG_writer(out, std::vector<Point>{}), SC::Invalid_input);
+  EXPECT_THROW(SC::SVG_writer(out, std::vector<Point>{{1, 1}}), SC::Invalid_input);
+}
+
+} // namespace

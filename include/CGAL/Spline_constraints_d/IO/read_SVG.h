@@ -104,6 +104,21 @@ std::vector<SVG_curve<Kernel>> read_SVG(const std::string& path)
   return internal::svg_curves<Kernel>(internal::Text_source::read(path));
 }
 
+/*!
+\ingroup PkgSplineConstraintsDIO
+
+reads the curves of the file of the given path, without their names and places.
+\throws Parse_error as `read_SVG()`.
+*/
+template <SplineKernel Kernel>
+std::vector<Bspline_curve_2<Kernel>> read_SVG_curves(const std::string& path)
+{
+  std::vector<Bspline_curve_2<Kernel>> result;
+  for (SVG_curve<Kernel>& element : read_SVG<Kernel>(path))
+    result.push_back(std::move(element.curve));
+  return result;
+}
+
 } // namespace IO
 } // namespace Spline_constraints
 } // namespace CGAL

@@ -10,12 +10,14 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,17 @@ template <class Point>
 std::string coordinate_text(const Point& p)
 {
   return decimal_text(converted_number<Exact_rational>(p.x())) + ' ' + decimal_text(converted_number<Exact_rational>(p.y()));
+}
+
+// The box around curves, points or polygons, with a margin of a part of its larger extent.
+template <class Range>
+CGAL::Bbox_2 box_with_margin(const Range& objects, double share)
+{
+  CGAL::Bbox_2 box;
+  for (const auto& object : objects)
+    box += object.bbox();
+  const double margin = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()) * share;
+  return CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin);
 }
 
 } // namespace internal
@@ -46,6 +59,8 @@ class SVG_writer
 {
   std::ostream& m_out;
   double m_pixel;
+  double m_extent;
+  double m_units;             // the coordinates of polylines are rounded to multiples of 1 / m_units, a power of ten
   bool m_has_layer = false;
 
 public:
@@ -56,7 +71,8 @@ public:
   \param width in pixels.
   \throws Invalid_input when the view has no extent, or something is not finite.
   */
-  SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600) : m_out(out), m_pixel((view.xmax() - view.xmin()) / width)
+  SVG_writer(std::ostream& out, const CGAL::Bbox_2& view, double width = 600)
+      : m_out(out), m_pixel((view.xmax() - view.xmin()) / width), m_extent((std::max)(view.xmax() - view.xmin(), view.ymax() - view.ymin())), m_units(std::pow(10., std::ceil(std::log10(25 / m_pixel))))
   {
     const double w = view.xmax() - view.xmin(), h = view.ymax() - view.ymin();
     if (!(std::isfinite(w) && std::isfinite(h) && std::isfinite(m_pixel) && std::isfinite(h / m_pixel) && w > 0 && h > 0 && m_pixel > 0))
@@ -67,11 +83,30 @@ public:
           << "<g transform='scale(1 -1)' fill='none' font-family='sans-serif'>\n";
   }
 
+  /*!
+  begins a drawing in which all of some curves, points or polygons is seen.
+  \param out where it is written to.
+  \param objects what is seen: a range of objects with a `bbox()`.
+  \param width in pixels.
+  \param margin around them, as a part of their larger extent.
+  \throws Invalid_input when they have no extent, or something is not finite.
+  */
+  template <std::ranges::forward_range Range>
+  SVG_writer(std::ostream& out, const Range& objects, double width = 600, double margin = 1. / 30) : SVG_writer(out, internal::box_with_margin(objects, margin), width)
+  {
+  }
+
   SVG_writer(const SVG_writer&) = delete;
   SVG_writer& operator=(const SVG_writer&) = delete;
 
   //! ends the drawing.
   ~SVG_writer() { m_out << (m_has_layer ? "</g>\n" : "") << "</g>\n</svg>\n"; }
+
+  //! the size of a pixel, in units of the drawing: a measure for how exactly to draw.
+  double pixel() const { return m_pixel; }
+
+  //! the larger extent of what is seen.
+  double extent() const { return m_extent; }
 
   //! begins a layer, above those before, which ends where the next one begins.
   void layer(const std::string& name)
@@ -106,16 +141,47 @@ public:
     m_out << "<path d='M" << internal::coordinate_text(p) << "h0' stroke-linecap='round' " << stroke(color, diameter) << "/>\n";
   }
 
-  //! fills a polygon, its corners rounded to double; an edge of a fifth of a pixel closes the gap to its neighbours.
-  template <SplineKernel Kernel>
-  void polygon(const std::vector<CGAL::Point_2<Kernel>>& points, const std::string& color)
+  /*!
+  joins points by chords, their coordinates rounded by a fiftieth of a pixel at most: short numbers for what has many points.
+  \param points a range of points: of a kernel, or arrays or vectors of coordinates, or samples whose member `point` is one of these, as polylines of bisectors, diagrams and curves of solutions
+         have them. Of one point nothing is seen.
+  */
+  template <std::ranges::forward_range Range>
+  void polyline(const Range& points, const std::string& color = "black", double width = 1.5)
   {
-    const char* command = "<path d='M";
-    for (const CGAL::Point_2<Kernel>& p : points) {
-      m_out << command << internal::double_text(internal::converted_number<double>(p.x())) << ' ' << internal::double_text(internal::converted_number<double>(p.y()));
-      command = "L";
-    }
+    m_out << "<path d='";
+    write_ring(points);
+    m_out << "' " << stroke(color, width) << "/>\n";
+  }
+
+  //! draws a circle. The numbers are rounded to double.
+  template <SplineKernel Kernel>
+  void circle(const CGAL::Point_2<Kernel>& center, const typename Kernel::FT& radius, const std::string& color = "black", double width = 1.5)
+  {
+    const auto text = [](const auto& x) { return internal::double_text(internal::converted_number<double>(x)); };
+    m_out << "<circle cx='" << text(center.x()) << "' cy='" << text(center.y()) << "' r='" << text(radius) << "' " << stroke(color, width) << "/>\n";
+  }
+
+  //! fills a polygon, given as `polyline()` takes its points; an edge of a fifth of a pixel closes the gap to its neighbours.
+  template <std::ranges::forward_range Range>
+  void polygon(const Range& points, const std::string& color)
+  {
+    m_out << "<path d='";
+    write_ring(points);
     m_out << "Z' fill='" << color << "' " << stroke(color, 0.2) << "/>\n";
+  }
+
+  //! fills a polygon but for its holes, as above.
+  template <class Kernel, class Container>
+  void polygon(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon, const std::string& color)
+  {
+    m_out << "<path d='";
+    write_ring(polygon.outer_boundary());
+    for (const auto& hole : polygon.holes()) {
+      m_out << "Z";
+      write_ring(hole);
+    }
+    m_out << "Z' fill='" << color << "' fill-rule='evenodd' " << stroke(color, 0.2) << "/>\n";
   }
 
   //! writes a text that begins at a point.
@@ -128,6 +194,36 @@ public:
 
 private:
   std::string stroke(const std::string& color, double width) const { return "stroke='" + color + "' stroke-width='" + internal::double_text(width * m_pixel) + "'"; }
+
+  template <class Range>
+  void write_ring(const Range& points)
+  {
+    const char* command = "M";
+    for (const auto& p : points) {
+      const std::array<double, 2> at = coordinates(p);
+      m_out << command << rounded_text(at[0]) << ' ' << rounded_text(at[1]);
+      command = "L";
+    }
+  }
+
+  // Of a point of a kernel, of coordinates in a row, or of a sample with such a point.
+  template <class Point>
+  static std::array<double, 2> coordinates(const Point& p)
+  {
+    if constexpr (requires { p.point; })
+      return coordinates(p.point);
+    else if constexpr (requires { p.x(); })
+      return {internal::converted_number<double>(p.x()), internal::converted_number<double>(p.y())};
+    else
+      return {p[0], p[1]};
+  }
+
+  // With so many decimals that the rounding is not seen.
+  std::string rounded_text(double x) const
+  {
+    const double rounded = std::round(x * m_units) / m_units;
+    return internal::double_text((std::isfinite(rounded) ? rounded : x) + 0.);   // no -0
+  }
 
   template <class Curve>
   void write_polynomial(const Curve& piece)
@@ -169,11 +265,7 @@ draws curves in black, with a margin of a twentieth of their extent.
 template <SplineKernel Kernel>
 void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves)
 {
-  CGAL::Bbox_2 box;
-  for (const Bspline_curve_2<Kernel>& curve : curves)
-    box += curve.bbox();
-  const double margin = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()) / 20;
-  SVG_writer writer(out, CGAL::Bbox_2(box.xmin() - margin, box.ymin() - margin, box.xmax() + margin, box.ymax() + margin));
+  SVG_writer writer(out, curves, 600, 1. / 20);
   for (const Bspline_curve_2<Kernel>& curve : curves)
     writer.curve(curve);
 }

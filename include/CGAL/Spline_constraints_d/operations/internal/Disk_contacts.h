@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/exact_disk_curvatures.h>
 
 #include <algorithm>
 #include <array>
@@ -326,17 +327,22 @@ private:
 
   Interval maximum(const Front_part& part, const Disk_branch& branch) const { return largest_curvature(m_graph, m_curvature, part, branch).curvature; }
 
-  std::optional<Exact_rational> exact_curvature_at_end(const Disk_contact& contact, bool end) const
+  // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs.
+  std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const
   {
     if (contact.kind == Disk_contact::Kind::NOTHING)
-      return Exact_rational(0);
-    if (contact.kind != Disk_contact::Kind::VERTEX || m_curvature.is_vertex_scaled(contact.index) || !m_graph.vertices()[contact.index].is_exact || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return Number_with_root{};
+    if (!m_front.is_fan && !m_graph.is_exact({m_front.object, end}))
       return std::nullopt;
-    const Exact_pair &p = m_graph.exact_point(m_front, end), &q = m_graph.vertices()[contact.index].exact_point;
-    const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
-    if (p == q)
+    const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    if (contact.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(contact.index) && m_graph.vertices()[contact.index].is_exact)
+      return curvature_of_disk_through(m_graph.vertices()[contact.index].exact_point, p, n);
+    if (contact.kind != Disk_contact::Kind::ARC || m_curvature.is_arc_scaled(contact.index))
       return std::nullopt;
-    return Exact_rational(2 * exact_dot(m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), d) / exact_dot(d, d));
+    const Site_arc_2& arc = m_graph.arcs()[contact.index];
+    if (arc.is_straight())
+      return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n);
+    return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
 
   // The order of two branches if it is the same for all of the part, or 0.
