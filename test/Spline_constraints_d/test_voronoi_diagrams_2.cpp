@@ -71,10 +71,10 @@ TEST(VoronoiDiagrams, Triangle)
   expect_empty_disks(diagram, sides);
 }
 
-// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis: there one fan of normals or one arc ends and the next one begins.
-TEST(VoronoiDiagrams, VerticesInTheDirectionOfAnAxis)
+// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis, or the end of a segment at a right angle: there a fan of normals, an arc or a side ends and the next one begins.
+TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
 {
-  const auto circle = [](double x, double y) { return SC::circle_curve(P(x, y), 1.); };
+  const auto circle = [](double x, double y, double radius = 1) { return SC::circle_curve(P(x, y), radius); };
   struct Scene
   {
     Curves curves;
@@ -85,7 +85,11 @@ TEST(VoronoiDiagrams, VerticesInTheDirectionOfAnAxis)
     {{bezier({P(0, 0), P(8, 0)}), bezier({P(0, 4), P(8, 4)})}, {P(4, 2)}, {P(2, 2), P(6, 2)}},
     {{bezier({P(0, 0), P(8, 4)}), bezier({P(-2, 4), P(6, 8)})}, {P(3, 4)}, {P(1, 3), P(5, 5)}},
     {{circle(-4, 0), circle(4, 0)}, {P(0, 4)}, {P(0, 0.9)}},
-    {{circle(-4, 0), circle(4, 0), circle(0, 4), circle(0, -4)}, {}, {P(0, 0)}}};
+    {{circle(-4, 0), circle(4, 0), circle(0, 4), circle(0, -4)}, {}, {P(0, 0)}},
+    {{circle(0, 0, 8), bezier({P(-4, 0), P(-2, 0)})}, {P(2, 0)}, {P(0, 3.75), P(0, -3.75)}},
+    {{circle(0, 0, 8), bezier({P(-4, 0), P(-2, 0)}), bezier({P(4, 0), P(2, 0)})}, {}, {P(0, 3.75), P(0, -3.75)}},
+    {{bezier({P(-4, 0), P(8, 0)}), bezier({P(-4, 4), P(2, 4)})}, {P(4, 2)}, {P(2, 2), P(11, 11)}},
+    {{bezier({P(0, 0), P(8, 0)}), bezier({P(0, 4), P(8, 4)})}, {P(-2, 2)}, {P(0, 2)}}};
   for (const Scene& scene : scenes) {
     const Diagram diagram = SC::voronoi_diagram(scene.curves, scene.points);
     EXPECT_TRUE(diagram.is_complete());

@@ -67,6 +67,15 @@ public:
     return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range, square);
   }
 
+  // Whether it touches an arc in its end: the center is on the perpendicular there.
+  bool touches_end(const Arc_end& end) const
+  {
+    if (!m_squared_radius || !m_graph.is_exact(end) || m_curvature.is_arc_scaled(end.arc))
+      return false;
+    const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.is_end ? 1 : 0));
+    return squared_distance_from(q) == *m_squared_radius && sign_of(exact_dot(difference(m_center, q), m_graph.direction(end))) == 0;
+  }
+
 private:
   bool is_scaled(const Disk_contact& contact) const { return contact.kind == Disk_contact::Kind::VERTEX ? m_curvature.is_vertex_scaled(contact.index) : contact.kind == Disk_contact::Kind::ARC && m_curvature.is_arc_scaled(contact.index); }
 

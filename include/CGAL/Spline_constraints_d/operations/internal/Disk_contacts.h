@@ -125,18 +125,31 @@ public:
     return sign_of(exact_dot(normal, tangent)) == 0 && sign_of(exact_cross(normal, Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) == 0;
   }
 
-  // Whether two branches that do not move have the same curvature at the begin or end of the front, by exact computation.
+  // Whether the contact stays what it is, or goes over into the end of an arc, or into the next arc, at most once in the part.
+  bool moves_once(const Disk_branch& branch) const { return !branch.move || (branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && is_sign_of_move_monotone(branch)); }
+
+  // What is touched in a point of the part, if that is certain.
+  std::optional<Located_contact> contact_at(const Disk_branch& branch, double u) const
+  {
+    if (!branch.move)
+      return branch;
+    const int sign = sign_of_move(branch, u);
+    return sign == 0 ? std::nullopt : std::optional(sign > 0 ? branch.move->positive : branch.move->negative);
+  }
+
+  // Whether two branches have the same curvature at the begin or end of the front, by exact computation. They do not move, or there.
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
     const auto x = exact_curvature_at_end(a.contact, end), y = exact_curvature_at_end(b.contact, end);
     return x && y && *x == *y;
   }
 
-  // The sign of the difference of the curvatures of two branches that do not move.
+  // The sign of the difference of the curvatures of two branches.
   int compare(const Disk_branch& a, const Disk_branch& b, double u) const
   {
     const Front_part part = m_curvature.part(m_part.front, {u, u});
-    return certain_sign(maximum(part, a) - maximum(part, b));
+    const auto x = contact_at(a, u), y = contact_at(b, u);
+    return x && y ? certain_sign(maximum(part, *x) - maximum(part, *y)) : 0;
   }
 
   // The contacts that disks have before and after one that touches all of them: their curvature there grows least and most.
@@ -323,9 +336,13 @@ private:
       m_branches.push_back(branch);
   }
 
-  Interval slope(const Disk_branch& branch) const { return slope_of_largest_curvature(m_graph, m_curvature, m_part, branch); }
+  Interval slope(const Disk_branch& branch) const
+  {
+    const auto slope_with = [&](const Located_contact& contact) { return slope_of_largest_curvature(m_graph, m_curvature, m_part, contact); };
+    return branch.move ? hull(slope_with(branch.move->negative), slope_with(branch.move->positive)) : slope_with(branch);
+  }
 
-  Interval maximum(const Front_part& part, const Disk_branch& branch) const { return largest_curvature(m_graph, m_curvature, part, branch).curvature; }
+  Interval maximum(const Front_part& part, const Located_contact& contact) const { return largest_curvature(m_graph, m_curvature, part, contact).curvature; }
 
   // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs.
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const

@@ -116,30 +116,34 @@ private:
     const std::vector<Disk_branch> highest = contacts.highest();
     if (highest.size() == 1)
       return append_branch(contacts, part.range, highest[0]);
-    return highest.size() == 2 ? append_crossing(contacts, part.range, highest[0], highest[1]) : part.range.width() < exact_width && append_common_disk(contacts, part, highest);
+    if (highest.size() == 2 && append_crossing(contacts, part.range, highest[0], highest[1]))
+      return true;
+    return part.range.width() < exact_width && append_common_disk(contacts, part, highest);
   }
 
   /*
-  One disk that touches all contacts of a small part. As differences of curvatures are monotone, the contacts change places in that disk only.
+  One disk that touches all contacts of a small part, those that go over from one arc to the next one in the point between both. As differences of curvatures are monotone, the contacts change places in that disk only.
   */
   bool append_common_disk(const Disk_contacts& contacts, const Front_part& part, const std::vector<Disk_branch>& branches)
   {
-    if (std::any_of(branches.begin(), branches.end(), [](const Disk_branch& branch) { return branch.move.has_value(); }))
-      return false;
-    const auto outer = contacts.before_and_after_common_disk(branches);
+    const auto all = [&](const auto& has_property) { return std::all_of(branches.begin(), branches.end(), has_property); };
+    const auto outer = all([&](const Disk_branch& branch) { return contacts.moves_once(branch); }) ? contacts.before_and_after_common_disk(branches) : std::nullopt;
     if (!outer)
       return false;
     const auto& [before, after] = *outer;
+    const auto first = contacts.contact_at(before, part.range.begin), last = contacts.contact_at(after, part.range.end);
     for (const bool end : {false, true})
-      if ((end ? part.range.end == 1 : part.range.begin == 0) && std::all_of(branches.begin() + 1, branches.end(), [&](const Disk_branch& branch) { return contacts.are_equal_at_end(branches[0], branch, end); })) {
-        append(end ? before : after, part.range);
+      if (const auto& contact = end ? first : last; contact && (end ? part.range.end == 1 : part.range.begin == 0) &&
+                                                    all([&](const Disk_branch& branch) { return (!branch.move || contacts.is_move_at_end(branch, end)) && contacts.are_equal_at_end(branches[0], branch, end); })) {
+        append(*contact, part.range);
         return true;
       }
     const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), before), branches);
-    return disk.touches(part) && std::all_of(branches.begin(), branches.end(), [&](const Disk_branch& branch) { return disk.touches(branch); }) && append_crossing(contacts, part.range, before, after);
+    const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), *first, *last), branches);
+    return disk.touches(part) && all([&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); }) &&
+           append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
   /*
@@ -194,15 +198,15 @@ private:
     return contacts && append_change(part.range, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
   }
 
-  // The centers of the disks that touch a part of a front and a contact.
-  Interval_pair center(const Front_part& part, const Located_contact& contact) const
+  // About the centers of the disks over a part of a front, with one contact where it begins and another one where it ends.
+  Interval_pair center(const Front_part& part, const Located_contact& first, const Located_contact& last) const
   {
-    const auto at = [&](double u) {
+    const auto at = [&](double u, const Located_contact& contact) {
       const Front_part point = m_curvature.part(part.front, {u, u});
       const Interval k = largest_curvature(m_graph, m_curvature, point, contact).curvature;
       return Interval_pair{point.jet.point[0] + point.jet.normal[0] / k, point.jet.point[1] + point.jet.normal[1] / k};
     };
-    return hull(at(part.range.begin), at(part.range.end));
+    return hull(at(part.range.begin, first), at(part.range.end, last));
   }
 
   bool append_branch(const Disk_contacts& contacts, const Range& range, const Disk_branch& branch)
