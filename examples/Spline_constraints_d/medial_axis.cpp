@@ -22,7 +22,7 @@ using K = CGAL::Simple_cartesian<double>;
 int main(int argc, char* argv[])
 {
   try {
-    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "leaf.svg");
+    const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "letters.svg");
     const auto axis = SC::medial_axis(SC::planar_region(curves));
 
     std::ofstream file("medial_axis.svg");

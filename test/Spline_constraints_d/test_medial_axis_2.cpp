@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Medial axes: of a segment of a parabola, a triangle and an L in closed form; of regions with holes, every disk is inside and touches the boundary twice, and there is one cycle for each hole.
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
@@ -122,4 +123,32 @@ TEST(MedialAxis, RegionWithHoles)
     }
   }
   EXPECT_GT(samples, 2 * axis.edges().size());
+}
+
+// Two squares with a corner in common, as one outline: each has its diagonals. A frame whose outline leads to the hole and back has one cycle.
+TEST(MedialAxis, OutlinesThatTouch)
+{
+  const auto outline = [](const std::vector<P>& corners) { return SC::planar_region(SC::polyline_curve(corners)); };
+  const Axis squares = SC::medial_axis(outline({P(0, 0), P(2, 0), P(2, 2), P(0, 2), P(0, 0), P(-2, 0), P(-2, -2), P(0, -2), P(0, 0)}));
+  EXPECT_TRUE(squares.is_complete());
+  EXPECT_EQ(squares.edges().size(), 8U);
+  EXPECT_EQ(number_of_vertices(squares, 4), 2U);
+  EXPECT_TRUE(has_vertex(squares, P(1, 1), 1));
+  EXPECT_TRUE(has_vertex(squares, P(-1, -1), 1));
+  const Axis frame = SC::medial_axis(outline({P(0, 0), P(6, 0), P(6, 6), P(0, 6), P(0, 0), P(2, 2), P(2, 4), P(4, 4), P(4, 2), P(2, 2), P(0, 0)}));
+  EXPECT_TRUE(frame.is_complete());
+  EXPECT_EQ(frame.edges().size(), frame.vertices().size());
+  EXPECT_EQ(number_of_vertices(frame, 1), 4U);
+}
+
+// A stadium, with three segments on one line and arcs that join them tangentially: the axis is the segment between the centers of the arcs.
+TEST(MedialAxis, PiecesOnOneLine)
+{
+  const auto arc = [](double x, const P& p, const P& q) { return SC::circular_arc_curve(P(x, 2), p, q); };
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{bezier({P(0, 0), P(2, 0)}), bezier({P(2, 0), P(2.5, 0)}), bezier({P(2.5, 0), P(6, 0)}), arc(6, P(6, 0), P(8, 2)), arc(6, P(8, 2), P(6, 4)), bezier({P(6, 4), P(0, 4)}), arc(0, P(0, 4), P(-2, 2)), arc(0, P(-2, 2), P(0, 0))}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size() + 1, axis.vertices().size());
+  EXPECT_EQ(number_of_vertices(axis, 1), 2U);
+  EXPECT_TRUE(has_vertex(axis, P(0, 2), 2));
+  EXPECT_TRUE(has_vertex(axis, P(6, 2), 2));
 }

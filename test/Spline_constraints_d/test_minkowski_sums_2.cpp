@@ -4,6 +4,7 @@
 // Minkowski sums of regions with curved edges: closed forms, support functions, distances from a region, and invariants.
 
 #include "geometry_test_tools.h"
+#include "region_of_a_drawing.h"
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -310,6 +311,33 @@ TEST(minkowski_sums_2, parts_that_touch)
     expect_complete(disks, 2, 0);
     EXPECT_NEAR(area(disks), 50 * CGAL_PI, 2e-3);
   }
+}
+
+// Two squares with a corner in common, as one outline; and a frame whose outline leads to the hole and back.
+TEST(minkowski_sums_2, outlines_that_touch)
+{
+  const Region squares = SC::planar_region(SC::polyline_curve<K>({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}, {0, 0}}));
+  const Sum sum = SC::minkowski_sum(squares, square(1)), twice = SC::minkowski_sum(squares, squares);
+  expect_complete(sum, 1, 0);
+  EXPECT_EQ(area(sum), 7);
+  expect_complete(twice, 1, 0);
+  EXPECT_EQ(area(twice), 10);
+  const Region frame = SC::planar_region(SC::polyline_curve<K>({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}, {0, 0}}));
+  const Sum thick = SC::minkowski_sum(frame, square(1));
+  expect_complete(thick, 2, 1);
+  EXPECT_EQ(area(thick), 48);
+}
+
+TEST(minkowski_sums_2, region_of_a_drawing)
+{
+  const Sum sum = SC::minkowski_sum(region_of_a_drawing<K>(), disk(0.25)), shifted = SC::minkowski_sum(region_of_a_drawing<K>(), square(0.5));
+  expect_complete(sum, 2, 1);
+  EXPECT_NEAR(area(sum), 12 * 2.25 + CGAL_PI * (2.25 * 2.25 - 0.75 * 0.75), 1e-3);
+  // The stadium grows by its extents in x and y, times the side, and the area of the square; of the hole, disks around four corners have a part in common.
+  const double half = 0.25, far = std::sqrt(1 - half * half);
+  const auto integral = [](double x) { return (x * std::sqrt(1 - x * x) + std::asin(x)) / 2; };   // of the height of a circle
+  expect_complete(shifted, 2, 1);
+  EXPECT_NEAR(area(shifted), 24 + 4 * CGAL_PI + 0.5 * (10 + 4) + 0.25 - 4 * (integral(far) - integral(half) - half * (far - half)), 1e-3);
 }
 
 // Regions with a common reflex part: each arc of the sum of two different points is there twice.

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Regions between curves: known areas, orientations and sides; all kinds of bad boundaries.
+// Regions between curves: known areas, orientations and sides; boundaries that touch, and parts that are there twice; all kinds of bad boundaries.
 
 #include "geometry_test_tools.h"
 
@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <sstream>
@@ -180,16 +181,84 @@ TEST(planar_regions_2, bad_boundaries)
   expect_refused({}, "there are no curves");
   expect_refused({segment(a, b), segment(b, c)}, "the boundary is open: curve 0 at parameter 0");
   expect_refused({segment(a, b), segment(b, c), segment(c, d), segment(d, Point(0, R(1) / 1000000000))}, "the boundary is open");
-  expect_refused({polygon({a, b, c}), polygon({a, d, Point(-4, 4)})}, "more than two ends of curves are the same point: curve 0");
-  expect_refused({polygon({a, b, d, c})}, "curve 0 at parameter 1.5");
-  expect_refused({polygon({a, b, d, c})}, " meet");
-  expect_refused({segment(a, b), segment(b, d), segment(d, c), segment(c, a)}, "curve 1 at parameter 0.5");
-  expect_refused({circle(0, 0, 2), circle(0, 0, 5), circle(3, 0, 1)}, "and curve 2 at parameter");
-  expect_refused({circle(0, 0, 2), circle(3, 0, 1)}, "curve 0 at parameter 0");   // they touch
-  expect_refused({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, "curve 0 at parameter 0.");   // they have a piece in common
-  expect_refused({polygon({a, b, c, {2, 0}, d})}, "curve 0 at parameter 0.5");   // it touches itself
-  expect_refused({segment(a, b), segment(b, a)}, " meet");
-  expect_refused({circle(0, 0, 2), circle(0, 0, 2)}, "curve 0");
+  expect_refused({polygon({a, b, c}), segment(a, d)}, "an odd number of ends of curves are the same point: curve 0 at parameter 0.000000, curve 0 at parameter 3");
+  expect_refused({polygon({a, b, d, c})}, "curve 0 at parameter 1.500000 and curve 0 at parameter 3.500000 cross");
+  expect_refused({segment(a, b), segment(b, d), segment(d, c), segment(c, a)}, "curve 1 at parameter 0.500000 and curve 3 at parameter 0.500000 cross");
+  expect_refused({polygon({a, {2, 1}, {2, -1}, a, {-2, 1}, {-2, -1}})}, "curve 0 at parameter 3.000000 and curve 0 at parameter 0.000000 cross");   // at the seam
+  expect_refused({circle(0, 0, 2), circle(0, 0, 5), circle(3, 0, 1), circle(4, 0, 1)}, "and curve 3 at parameter");
+  expect_refused({circle(0, 0, 5), circle(6, 0, 5)}, "curve 0 at parameter 0.500000 and curve 1 at parameter 1.500000 cross");
+  expect_refused({circle(0, 0, 5), circle(5, 0, 5)}, " cross");   // at irrational parameters
+  expect_refused({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, "meet in a common part");
+  expect_refused({segment(a, b), segment(b, a)}, "all curves are there twice");
+  expect_refused({circle(0, 0, 2), circle(0, 0, 2), circle(9, 0, 1)}, "all of the boundary curve 0");
+}
+
+// Rings are simple, there are so many, some of them around holes, and the area is this.
+void expect_rings(const Curves& curves, std::size_t rings, std::size_t holes, const R& area)
+{
+  const Region region(curves);
+  EXPECT_EQ(region.boundaries().size(), rings);
+  EXPECT_EQ(region.number_of_holes(), holes);
+  EXPECT_EQ(region.area(), std::make_pair(area, area));
+  EXPECT_TRUE(region.has_touching_boundaries());
+  std::size_t corners = 0;
+  for (const auto& polygon : region.polygons_with_holes(1e-3)) {
+    EXPECT_TRUE(polygon.outer_boundary().is_simple());
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      EXPECT_TRUE(hole->is_simple());
+    corners += polygon.outer_boundary().size();
+  }
+  EXPECT_GT(corners, 0u);
+}
+
+// Lobes, holes and parts that have a vertex in common, or one on a side of another one, in one outline or in several.
+TEST(planar_regions_2, outlines_that_touch)
+{
+  const Point a(0, 0), b(4, 0), c(4, 4), d(0, 4);
+  expect_rings({polygon({a, {2, 1}, {2, -1}, a, {-2, -1}, {-2, 1}})}, 2, 0, 4);
+  expect_rings({polygon({{2, 1}, {2, -1}, a, {-2, -1}, {-2, 1}, a})}, 2, 0, 4);
+  expect_rings({polygon({a, b, c}), polygon({a, d, Point(-4, 4)})}, 2, 0, 16);
+  expect_rings({polygon({a, b, c, d}), polygon({a, {2, 1}, {1, 2}})}, 2, 1, R(29) / 2);
+  expect_rings({polygon({a, b, c, d, a, {1, 2}, {2, 1}})}, 2, 1, R(29) / 2);
+  expect_rings({polygon({a, b, c, d}), polygon({{1, 0}, {4, R(4) / 3}, {R(1) / 3, 4}})}, 2, 1, R(16) - (R(3) * 4 + R(2) / 3 * R(4) / 3) / 2);   // in three points
+  expect_rings({polygon({a, b, c, {R(4) / 3, 0}, d})}, 2, 0, 8);
+  // Open curves are put together so that none of them crosses another one.
+  const Point m(2, 2);
+  expect_rings({segment(a, m), segment(m, b), segment(b, a), segment(c, m), segment(m, d), segment(d, c)}, 2, 0, 8);
+  expect_rings({segment(a, m), segment(m, c), segment(c, d), segment(d, m), segment(m, b), segment(b, a)}, 2, 0, 8);
+  const auto parabola = [](int y) { return SC::bezier_curve<Exact_cartesian>({{0, 0}, {2, y}, {4, 0}}); };
+  expect_rings({parabola(2), parabola(4), parabola(-2), parabola(-4)}, 2, 0, R(16) / 3);   // a ring that is nowhere wide at both ends
+  // Three triangles around a point.
+  expect_rings({polygon({a, {2, 0}, {2, 1}, a, {-1, 2}, {-2, 2}, a, {-1, -2}, {1, -2}})}, 3, 0, 4);
+  // Tangential contacts, from outside and from within.
+  const Region disks(Curves{circle(0, 0, 5), circle(R(27) / 5, R(36) / 5, 4), circle(-R(9) / 5, -R(12) / 5, 2)});
+  EXPECT_EQ(disks.boundaries().size(), 3u);
+  EXPECT_EQ(disks.number_of_holes(), 1u);
+  EXPECT_EQ(disks.boundaries()[2].outer, 0u);
+  expect_area(disks, (25 + 16 - 4) * CGAL_PI);
+  EXPECT_EQ(disks.bounded_side(Point(3, 4)), CGAL::ON_BOUNDARY);
+}
+
+// What is there twice is no boundary.
+TEST(planar_regions_2, slits)
+{
+  const Point a(0, 0), b(4, 0), c(4, 4), d(0, 4);
+  const Region keyhole(Curves{polygon({a, b, c, d, a, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}})}), spike(Curves{polygon({a, b, {4, 2}, {7, 2}, {4, 2}, c, d})}), slit(Curves{polygon({a, b, c, d, {1, 1}, d})});
+  EXPECT_EQ(keyhole.area().first, 15);
+  EXPECT_EQ(keyhole.number_of_holes(), 1u);
+  EXPECT_FALSE(keyhole.has_touching_boundaries());
+  EXPECT_EQ(keyhole.bounded_side(Point(R(1) / 2, R(1) / 2)), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(keyhole.boundaries()[1].arcs.size(), 1u);
+  EXPECT_EQ(keyhole.boundaries()[1].arcs[0].parameters, (std::array<R, 2>{R(5), R(9)}));
+  EXPECT_EQ(spike.area().first, 16);
+  EXPECT_EQ(spike.bounded_side(Point(5, 2)), CGAL::ON_UNBOUNDED_SIDE);
+  EXPECT_EQ(slit.area().first, 16);
+  EXPECT_EQ(slit.bounded_side(Point(1, 1)), CGAL::ON_BOUNDED_SIDE);
+  // Two squares become one rectangle.
+  const Region rectangle(Curves{polygon({a, b, c, d}), polygon({b, {8, 0}, {8, 4}, c})});
+  EXPECT_EQ(rectangle.boundaries().size(), 1u);
+  EXPECT_EQ(rectangle.area().first, 32);
+  EXPECT_EQ(rectangle.bounded_side(Point(4, 1)), CGAL::ON_BOUNDED_SIDE);
 }
 
 } // namespace

@@ -94,6 +94,15 @@ TEST(RegionDistances, Meeting)
   EXPECT_FALSE(CGAL::possibly(SC::region_distance(region({square(0, 0, 1)}), region({square(1 + 1e-15, 1, 1)})).do_meet()));
 }
 
+// What an outline runs along forth and back is not in the region; where it touches itself it is.
+TEST(RegionDistances, OutlinesThatTouch)
+{
+  const Region spike = region({polygon({P(0, 0), P(4, 0), P(4, 2), P(7, 2), P(4, 2), P(4, 4), P(0, 4)})}), lobes = region({polygon({P(0, 0), P(2, 1), P(2, -1), P(0, 0), P(-2, -1), P(-2, 1)})});
+  expect_distance(spike, region({square(9, 1, 2)}), 5);
+  expect_distance(lobes, region({square(-1, 3, 2)}), std::sqrt(5));
+  expect_distance(lobes, region({polygon({P(0, 1), P(0.125, 2), P(-0.125, 2)})}), 2 / std::sqrt(5));
+}
+
 // Closed quadratic splines around two centers.
 TEST(RegionDistances, RandomSplines)
 {

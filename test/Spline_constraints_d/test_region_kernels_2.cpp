@@ -244,7 +244,14 @@ TEST(region_kernels_2, no_interior)
   EXPECT_FALSE(blades.has_interior());
   EXPECT_TRUE(CGAL::certainly_not(blades.is_empty()));
   EXPECT_EQ(blades.flat_part(), std::vector<Point>{Point(0, 0)});
+  // Two squares see all of each other from their common corner only; those that do not touch, from nowhere.
+  const auto squares = SC::region_kernel(closed(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
+  EXPECT_TRUE(CGAL::certainly_not(squares.is_empty()));
+  EXPECT_EQ(squares.flat_part(), std::vector<Point>{Point(0, 0)});
+  const auto bent = SC::region_kernel(closed(std::vector<Point>{{0, 0}, {2, 0}, {2, 2}, {1, 2}, {1, 1}, {0, 1}, {0, 0}, {-1, 0}, {-1, -1}, {0, -1}}));
+  EXPECT_TRUE(CGAL::certainly(bent.is_empty()));
   expect_invalid([&] { annulus.polygon(0); }, "error must be positive");
+  expect_invalid([] { SC::region_kernel(closed(std::vector<Point>{{0, 0}, {4, 0}, {0, 4}, {4, 4}})); }, "curve 0 at parameter 1.500000 and curve 0 at parameter 3.500000 cross");
 }
 
 } // namespace region_kernels_2_test

@@ -3,6 +3,7 @@
 
 // Trimmed offsets: areas in closed form, events at known radii and parameters; of curves that cross each other, every point has the distance, the area is that found by random points, and motions do not change anything.
 #include "polygon_area.h"
+#include "region_of_a_drawing.h"
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -158,6 +159,33 @@ TEST(TrimmedOffsets, RegionWithAHole)
   EXPECT_NEAR(area(thick), 64 + 32 + pi - pi, tolerance);
   EXPECT_EQ(counts(SC::trimmed_offset(frame, 2.5)), (Counts{1, 0, 8}));
   EXPECT_THROW(SC::trimmed_offset(frame, 0), SC::Invalid_input);
+}
+
+// Two squares with a corner in common, as one outline; and a frame whose outline leads to the hole and back.
+TEST(TrimmedOffsets, OutlinesThatTouch)
+{
+  const auto outline = [](const std::vector<P>& corners) { return SC::planar_region(SC::polyline_curve(corners)); };
+  const auto squares = outline({P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0), P(-1, 0), P(-1, -1), P(0, -1), P(0, 0)});
+  const Offset grown = SC::trimmed_offset(squares, 0.25), shrunk = SC::trimmed_offset(squares, -0.25);
+  EXPECT_EQ(counts(grown), (Counts{1, 0, 14}));
+  EXPECT_NEAR(area(grown), 2 + 8 * 0.25 + (1.5 * pi - 2) / 16, tolerance);
+  EXPECT_EQ(counts(shrunk), (Counts{2, 0, 8}));
+  EXPECT_NEAR(area(shrunk), 0.5, tolerance);
+  const auto frame = outline({P(0, 0), P(6, 0), P(6, 6), P(0, 6), P(0, 0), P(2, 2), P(2, 4), P(4, 4), P(4, 2), P(2, 2), P(0, 0)});
+  const Offset thin = SC::trimmed_offset(frame, -0.5);
+  EXPECT_EQ(counts(thin), (Counts{1, 1, 12}));
+  EXPECT_NEAR(area(thin), 25 - 4 - 4 - pi / 4, tolerance);
+}
+
+TEST(TrimmedOffsets, RegionOfADrawing)
+{
+  const auto region = region_of_a_drawing<K>();
+  for (const double distance : {-0.25, 0.25}) {
+    const Offset offset = SC::trimmed_offset(region, distance);
+    EXPECT_EQ(counts(offset).components, 1U);
+    EXPECT_EQ(counts(offset).holes, 1U);
+    EXPECT_NEAR(area(offset), 12 * (2 + distance) + pi * ((2 + distance) * (2 + distance) - (1 - distance) * (1 - distance)), tolerance);
+  }
 }
 
 // A disk within a ring: an offset has two components, one of them in the hole of the other one.

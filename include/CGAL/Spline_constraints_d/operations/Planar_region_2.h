@@ -7,9 +7,9 @@
 #include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Simple_rings_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
-#include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections.h>
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -19,10 +19,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <map>
-#include <optional>
+#include <iterator>
 #include <ranges>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,8 +32,10 @@ namespace Spline_constraints {
 
 A bounded region of the plane, of one or more parts, with or without holes, whose boundaries are made of B-spline curves.
 
-The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another one, with exactly the same end point. Boundaries must be simple and must not meet; that is proved. A point belongs to the region if an odd number of boundaries go around it.
-The boundaries are in the direction that has the region on the left: outer ones counterclockwise, those of holes clockwise.
+The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another one, with exactly the same end point. They must not cross; that is proved. A point belongs to the region if an odd number of boundaries go around it.
+Boundaries are simple, and in the direction that has the region on the left: outer ones counterclockwise, those of holes clockwise.
+
+Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on none. They are no part of the boundaries.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -47,11 +47,12 @@ public:
   using Point = typename Kernel::Point_2;
   using Curve = Bspline_curve_2<Kernel>;
 
-  //! a curve of a boundary.
+  //! a curve of a boundary, or a part of one.
   struct Arc
   {
-    std::size_t curve;   ///< its index
-    bool is_reversed;    ///< whether the boundary runs along it from its end to its begin
+    std::size_t curve;                          ///< its index
+    bool is_reversed;                           ///< whether the boundary runs along it backwards
+    std::array<Exact_rational, 2> parameters;   ///< of the curve, where the part begins and ends, in increasing order: its domain, if it is not cut
   };
 
   //! a closed boundary.
@@ -66,13 +67,15 @@ private:
   std::vector<Curve> m_curves;
   std::vector<Boundary> m_boundaries;
   std::vector<internal::Boundary_loop_2> m_loops;
+  std::vector<std::vector<Arc>> m_arcs;   // of each curve, in its direction
+  bool m_has_touching_boundaries;
 
 public:
   /*!
   the region between these curves.
   \param curves the curves.
   \param options those of the solver that looks for common points.
-  \throws Invalid_input when there is no curve; one ends where no other one goes on, or several do; a boundary crosses or touches itself or another one; or it is not proved that it does not, as where it turns back in a cusp. The
+  \throws Invalid_input when there is no curve; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
   message names the curves and the parameters.
   */
   template <std::ranges::input_range Range>
@@ -81,9 +84,11 @@ public:
   {
     if (m_curves.empty())
       throw Invalid_input("Planar_region_2: there are no curves");
-    make_boundaries();
-    check_boundaries(options);
-    orient_boundaries();
+    std::vector<std::vector<internal::Boundary_piece>> pieces;
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+      pieces.push_back(internal::boundary_pieces(m_curves[i], i));
+    make_boundaries(internal::Simple_rings_2(std::move(pieces), options));
+    find_outer_boundaries();
   }
 
   //! the curves, as they were given.
@@ -91,6 +96,9 @@ public:
 
   //! the boundaries.
   const std::vector<Boundary>& boundaries() const { return m_boundaries; }
+
+  //! whether boundaries have vertices in common.
+  bool has_touching_boundaries() const { return m_has_touching_boundaries; }
 
   //! the number of boundaries of holes.
   std::size_t number_of_holes() const { return std::count_if(m_boundaries.begin(), m_boundaries.end(), [](const Boundary& boundary) { return boundary.is_hole; }); }
@@ -150,86 +158,51 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // The boundaries in pieces, for the package.
+  // The boundaries in pieces, and the arcs of each curve in its direction, for the package.
   const std::vector<internal::Boundary_loop_2>& loops() const { return m_loops; }
+  const std::vector<std::vector<Arc>>& arcs_of_curves() const { return m_arcs; }
 #endif
 
 private:
-  using End = internal::Curve_end;
-
-  static std::string name(std::size_t curve, const Exact_rational& parameter) { return "curve " + std::to_string(curve) + " at parameter " + std::to_string(to_nearest_double(parameter)); }
-
-  // Joins the curves in their common ends.
-  void make_boundaries()
+  void make_boundaries(const internal::Simple_rings_2& rings)
   {
-    std::vector<std::vector<internal::Boundary_piece>> pieces;
-    std::map<internal::Exact_pair, std::vector<End>> ends_at;
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-      pieces.push_back(internal::boundary_pieces(m_curves[i], i));
-      ends_at[pieces[i].front().at(0)].push_back({i, 0});
-      ends_at[pieces[i].back().at(1)].push_back({i, 1});
+    m_has_touching_boundaries = rings.has_rings_that_touch();
+    m_arcs.resize(m_curves.size());
+    std::vector<Arc> arcs;
+    for (std::size_t s = 0; s < rings.strands().size(); ++s) {
+      const internal::Boundary_piece &first = rings.strands()[s].front(), &last = rings.strands()[s].back();
+      arcs.push_back({first.curve, !rings.has_region_on_left({s, false}), {first.parameters[0], last.parameters[1]}});
+      m_arcs[first.curve].push_back(arcs.back());
     }
-    std::vector<std::array<End, 2>> next(m_curves.size());
-    const auto name_of_end = [&](const End& end) { return name(end.curve, end.side == 0 ? pieces[end.curve].front().parameters[0] : pieces[end.curve].back().parameters[1]); };
-    for (const auto& [point, ends] : ends_at) {
-      if (ends.size() == 1)
-        throw Invalid_input("Planar_region_2: the boundary is open: " + name_of_end(ends[0]) + " ends where no other one goes on");
-      if (ends.size() > 2)
-        throw Invalid_input("Planar_region_2: more than two ends of curves are the same point: " + name_of_end(ends[0]) + ", " + name_of_end(ends[1]) + " and " + name_of_end(ends[2]));
-      next[ends[0].curve][ends[0].side] = ends[1];
-      next[ends[1].curve][ends[1].side] = ends[0];
-    }
-    const std::vector<bool> is_closed(m_curves.size(), false);
-    for (const Intersection_curve& chain : internal::chains_of_curves(is_closed, [&](const End& end) { return std::optional<End>(next[end.curve][end.side]); })) {
+    for (const auto& ring : rings.rings()) {
+      internal::Boundary_loop_2 loop = rings.loop(ring);
       Boundary boundary{{}, false, 0};
-      std::vector<internal::Boundary_piece> all;
-      for (const Intersection_arc& arc : chain.arcs) {
-        boundary.arcs.push_back({arc.index, arc.is_reversed});
-        internal::Boundary_loop_2 part(pieces[arc.index]);
-        if (arc.is_reversed)
-          part.reverse();
-        all.insert(all.end(), part.pieces().begin(), part.pieces().end());
+      for (const Intersection_arc& strand : ring)
+        boundary.arcs.push_back(arcs[strand.index]);
+      if (!rings.has_region_on_left(ring.front())) {
+        std::reverse(boundary.arcs.begin(), boundary.arcs.end());
+        loop.reverse();
       }
+      boundary.is_hole = !loop.is_counterclockwise();
       m_boundaries.push_back(std::move(boundary));
-      m_loops.emplace_back(std::move(all));
+      m_loops.push_back(std::move(loop));
     }
   }
 
-  // \throws Invalid_input when boundaries meet themselves or each other.
-  void check_boundaries(const Solver_options& options) const
+  // The innermost one around each hole.
+  void find_outer_boundaries()
   {
-    std::vector<Bspline_curve_2<internal::Exact_kernel>> all;
-    for (const internal::Boundary_loop_2& loop : m_loops)
-      all.push_back(loop.curve());
-    for (const auto& pair : pairwise_intersections(all, options, Self_intersections::INCLUDED).pairs) {
-      const auto& meeting = pair.intersections[0];
-      const auto name_of_operand = [&](std::size_t operand) {
-        const auto [curve, parameter] = m_loops[operand == 0 ? pair.first : pair.second].origin(internal::middle_of(meeting.parameter_range(operand)));
-        return name(curve, parameter);
-      };
-      throw Invalid_input("Planar_region_2: " + name_of_operand(0) + " and " + name_of_operand(1) + (meeting.kind() == Intersection_kind::UNDECIDED ? " are not proved not to meet" : " meet"));
-    }
-  }
-
-  // Turns the boundaries around so that the region is on their left: those within an even number of others are counterclockwise. Of the others, the innermost one around each belongs to the same part.
-  void orient_boundaries()
-  {
-    std::vector<std::vector<std::size_t>> around(m_loops.size());
+    std::vector<std::size_t> outer;
     for (std::size_t i = 0; i < m_loops.size(); ++i)
-      for (std::size_t k = 0; k < m_loops.size(); ++k)
-        if (k != i && m_loops[k].winding_number(m_loops[i].source()) != 0)
-          around[i].push_back(k);
-    for (std::size_t i = 0; i < m_loops.size(); ++i) {
-      Boundary& boundary = m_boundaries[i];
-      boundary.is_hole = around[i].size() % 2 == 1;
-      boundary.outer = boundary.is_hole ? *std::max_element(around[i].begin(), around[i].end(), [&](std::size_t a, std::size_t b) { return around[a].size() < around[b].size(); }) : i;
-      if (m_loops[i].is_counterclockwise() != boundary.is_hole)
-        continue;
-      m_loops[i].reverse();
-      std::reverse(boundary.arcs.begin(), boundary.arcs.end());
-      for (Arc& arc : boundary.arcs)
-        arc.is_reversed = !arc.is_reversed;
-    }
+      if (!m_boundaries[i].is_hole)
+        outer.push_back(m_boundaries[i].outer = i);
+    const auto is_around = [&](std::size_t i, std::size_t k) { return i != k && m_loops[i].winding_number(m_loops[k].inner_point()) != 0; };
+    for (std::size_t hole = 0; hole < m_loops.size(); ++hole)
+      if (m_boundaries[hole].is_hole) {
+        std::vector<std::size_t> around;
+        std::copy_if(outer.begin(), outer.end(), std::back_inserter(around), [&](std::size_t i) { return is_around(i, hole); });
+        m_boundaries[hole].outer = *std::min_element(around.begin(), around.end(), [&](std::size_t i, std::size_t k) { return is_around(k, i); });
+      }
   }
 };
 

@@ -57,20 +57,21 @@ private:
 public:
   /*!
   the kernel of a region.
-  \param region the region; one with holes, or of several parts, has no kernel.
+  \param region the region. One with holes, or of several parts, has no kernel, other than a point where parts touch.
   */
   explicit Region_kernel_2(const Planar_region_2<Kernel>& region)
   {
     m_may_have_interior = region.boundaries().size() == 1;
-    if (!m_may_have_interior)
+    if (!m_may_have_interior && !region.has_touching_boundaries())
       return;
     const Upward_rounding_guard guard;
     m_parts = internal::Curve_parts_2(region.curves());
     std::vector<internal::Tangent_family> tangents;
-    for (const internal::Boundary_piece& piece : region.loops()[0].pieces()) {
-      tangents.emplace_back(piece);
-      m_is_straight = m_is_straight && internal::power_coefficients(tangents.back().curvature()).empty();
-    }
+    for (const internal::Boundary_loop_2& loop : region.loops())
+      for (const internal::Boundary_piece& piece : loop.pieces()) {
+        tangents.emplace_back(piece);
+        m_is_straight = m_is_straight && internal::power_coefficients(tangents.back().curvature()).empty();
+      }
     const internal::Kernel_centre_2 centre(tangents, box_of(region));
     m_centre = centre.centre();
     if (centre.is_flat()) {

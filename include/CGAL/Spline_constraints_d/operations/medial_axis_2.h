@@ -7,9 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/Voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
-#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
-#include <array>
 #include <memory>
 
 namespace CGAL {
@@ -31,7 +29,7 @@ Complexity: about half of that of the Voronoi diagram.
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Voronoi_diagram_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
 {
-  const auto graph = internal::site_graph(region.curves(), std::array<typename Kernel::Point_2, 0>());
+  const auto graph = internal::region_graph(region);
   return {graph, std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::region_fronts(*graph, region, true)))};
 }
 

@@ -40,7 +40,7 @@ Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const Pl
 \ingroup PkgSplineConstraintsDOperations
 
 the Minkowski sum of a region and a polygon.
-\throws Invalid_input when the polygon is empty or not simple, and as above.
+\throws Invalid_input when the polygon is empty or crosses itself, and as above.
 */
 template <SplineKernel Kernel, class Container>
 Minkowski_sum_2<Kernel> minkowski_sum(const Planar_region_2<Kernel>& a, const CGAL::Polygon_2<Kernel, Container>& b)

@@ -33,7 +33,7 @@ std::ostream& operator<<(std::ostream& out, const Planar_region_2<Kernel>& regio
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-reads a region that was written in this way: the same curves, with the same boundaries. It is proved again that these are closed, simple, and do not meet. If they do, or there is no valid region, the stream fails and the region remains as it was.
+reads a region that was written in this way: the same curves, with the same boundaries. It is proved again that these are closed and do not cross. If they do, or there is no valid region, the stream fails and the region remains as it was.
 */
 template <SplineKernel Kernel>
 std::istream& operator>>(std::istream& in, Planar_region_2<Kernel>& region)

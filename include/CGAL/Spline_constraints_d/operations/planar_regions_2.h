@@ -42,7 +42,7 @@ Planar_region_2<typename Curve::Kernel> planar_region(const Curve& boundary, con
 }
 
 //! the region inside a polygon; its only curve is the boundary, with vertex \f$i\f$ at the parameter \f$i\f$.
-//! \throws Invalid_input when the polygon is empty or not simple.
+//! \throws Invalid_input when the polygon is empty or crosses itself.
 template <SplineKernel Kernel, class Container>
 Planar_region_2<Kernel> planar_region(const CGAL::Polygon_2<Kernel, Container>& polygon)
 {
@@ -50,7 +50,7 @@ Planar_region_2<Kernel> planar_region(const CGAL::Polygon_2<Kernel, Container>& 
 }
 
 //! the region inside a polygon with holes; its curves are the outer boundary and those of the holes.
-//! \throws Invalid_input when the polygon is unbounded, or boundaries are empty, not simple, or meet.
+//! \throws Invalid_input when the polygon is unbounded, or boundaries are empty or cross.
 template <SplineKernel Kernel, class Container>
 Planar_region_2<Kernel> planar_region(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon)
 {

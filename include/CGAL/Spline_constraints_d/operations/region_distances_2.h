@@ -83,7 +83,7 @@ bool has_boundary_in(const Region& a, const Region& b)
   return std::any_of(a.loops().begin(), a.loops().end(), [&](const Boundary_loop_2& loop) { return b.bounded_side(loop.pieces().front().at(0)) == CGAL::ON_BOUNDED_SIDE; });
 }
 
-// The curves of two regions, and the square of the distance of their boxes.
+// Parts of the curves of two regions, and the square of the distance of their boxes.
 struct Curves_by_distance
 {
   Exact_rational least_squared_distance;
@@ -100,13 +100,30 @@ inline Exact_rational squared_distance_of_boxes(const CGAL::Bbox_2& a, const CGA
   return result;
 }
 
-template <class Region>
-std::vector<Curves_by_distance> curves_by_distance(const Region& a, const Region& b)
+// The parts of the curves of a region that belong to its boundaries, with the indices of the curves. Where boundaries only touch they are not cut.
+template <SplineKernel Kernel>
+std::vector<std::pair<std::size_t, Bspline_curve_2<Kernel>>> parts_on_boundaries(const Planar_region_2<Kernel>& region)
+{
+  std::vector<std::pair<std::size_t, Bspline_curve_2<Kernel>>> result;
+  for (std::size_t c = 0; c < region.curves().size(); ++c) {
+    const auto& arcs = region.arcs_of_curves()[c];
+    for (std::size_t i = 0, last = 0; i < arcs.size(); i = last + 1) {
+      for (last = i; last + 1 < arcs.size() && arcs[last].parameters[1] == arcs[last + 1].parameters[0];)
+        ++last;
+      const auto at = [](const Exact_rational& t) { return converted_number<typename Kernel::FT>(t); };   // exact: a knot
+      result.emplace_back(c, region.curves()[c].restricted(at(arcs[i].parameters[0]), at(arcs[last].parameters[1])));
+    }
+  }
+  return result;
+}
+
+template <class Parts>
+std::vector<Curves_by_distance> curves_by_distance(const Parts& a, const Parts& b)
 {
   std::vector<Curves_by_distance> result;
-  for (std::size_t i = 0; i < a.curves().size(); ++i)
-    for (std::size_t j = 0; j < b.curves().size(); ++j)
-      result.push_back({squared_distance_of_boxes(a.curves()[i].bbox(), b.curves()[j].bbox()), i, j});
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      result.push_back({squared_distance_of_boxes(a[i].second.bbox(), b[j].second.bbox()), i, j});
   std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) { return std::tie(p.least_squared_distance, p.first, p.second) < std::tie(q.least_squared_distance, q.first, q.second); });
   return result;
 }
@@ -138,15 +155,16 @@ Region_distance_2<Kernel> region_distance(const Planar_region_2<Kernel>& a, cons
     return Result({}, {Exact_rational(0), Exact_rational(0)}, summary);
   std::vector<typename Result::Pair> pairs;
   std::optional<typename Result::Range> distance;
-  for (const internal::Curves_by_distance& curves : internal::curves_by_distance(a, b)) {
+  const auto first = internal::parts_on_boundaries(a), second = internal::parts_on_boundaries(b);
+  for (const internal::Curves_by_distance& curves : internal::curves_by_distance(first, second)) {
     if (distance && curves.least_squared_distance > distance->second)
       break;
-    const auto nearest = closest_points(a.curves()[curves.first], b.curves()[curves.second], options);
+    const auto nearest = closest_points(first[curves.first].second, second[curves.second].second, options);
     const auto& [lower, upper] = nearest.squared_distance_range();
     distance = distance ? typename Result::Range{(std::min)(distance->first, lower), (std::min)(distance->second, upper)} : nearest.squared_distance_range();
     summary += nearest.summary();
     for (const auto& points : nearest)
-      pairs.push_back({{curves.first, curves.second}, points});
+      pairs.push_back({{first[curves.first].first, second[curves.second].first}, points});
   }
   std::erase_if(pairs, [&](const auto& pair) { return pair.points.squared_distance_range().first > distance->second; });
   return Result(std::move(pairs), *distance, summary);

@@ -10,7 +10,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/region_fronts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
-#include <array>
 #include <memory>
 #include <ranges>
 #include <vector>
@@ -70,7 +69,7 @@ Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, c
   if (sign == CGAL::ZERO)
     throw Invalid_input("trimmed_offset: the distance must not be zero");
   const bool is_inside = sign == CGAL::NEGATIVE;
-  const auto graph = internal::site_graph(region.curves(), std::array<typename Kernel::Point_2, 0>());
+  const auto graph = internal::region_graph(region);
   return {std::make_shared<internal::Offset_cycles>(internal::offset_cycles<Concurrency_tag>(graph, CGAL::abs(radius), internal::region_fronts(*graph, region, is_inside), is_inside)), !is_inside};
 }
 

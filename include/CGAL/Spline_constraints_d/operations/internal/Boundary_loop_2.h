@@ -56,6 +56,19 @@ struct Boundary_piece
     return result;
   }
 
+  // The part between two parameters of the curve.
+  Boundary_piece between(const Exact_rational& begin, const Exact_rational& end) const
+  {
+    if (parameters == std::array<Exact_rational, 2>{begin, end})
+      return *this;
+    const auto local = [&](const Exact_rational& t) { return Exact_rational((t - parameters[0]) / (parameters[1] - parameters[0])); };
+    Boundary_piece result(*this);
+    for (Exact_tensor& tensor : result.coordinates)
+      tensor = tensor.restricted(0, local(begin), local(end));
+    result.parameters = {begin, end};
+    return result;
+  }
+
   Boundary_piece reversed() const
   {
     Boundary_piece result(*this);
@@ -95,6 +108,9 @@ public:
   const std::vector<Boundary_piece>& pieces() const { return m_pieces; }
   Exact_pair source() const { return m_pieces.front().at(0); }
 
+  // One in which no two curves meet, unless this was not found.
+  Exact_pair inner_point() const { return m_pieces.front().at(Exact_rational(1) / 2); }
+
   void reverse()
   {
     std::reverse(m_pieces.begin(), m_pieces.end());
@@ -125,12 +141,15 @@ public:
   // The curve, and its parameter, that a parameter stands for.
   std::pair<std::size_t, Exact_rational> origin(const Exact_rational& parameter) const
   {
-    std::size_t i = 0;
-    Exact_rational t = parameter;
-    for (; i + 1 < m_pieces.size() && t >= 1; ++i)
-      t -= 1;
-    const auto& [begin, end] = m_pieces[i].parameters;
-    return {m_pieces[i].curve, Exact_rational(begin + t * (end - begin))};
+    const auto [piece, t] = place(parameter);
+    const auto& [begin, end] = piece->parameters;
+    return {piece->curve, Exact_rational(begin + t * (end - begin))};
+  }
+
+  Exact_pair at(const Exact_rational& parameter) const
+  {
+    const auto [piece, t] = place(parameter);
+    return piece->at(t);
   }
 
   // Bounds of the enclosed area, negative for a clockwise loop, at most 2 `error` apart: half of the integral of x y' - y x', which is (X Y' - Y X') / W^2 in homogeneous coordinates.
@@ -180,6 +199,15 @@ public:
   }
 
 private:
+  std::pair<const Boundary_piece*, Exact_rational> place(const Exact_rational& parameter) const
+  {
+    std::size_t i = 0;
+    Exact_rational t = parameter;
+    for (; i + 1 < m_pieces.size() && t >= 1; ++i)
+      t -= 1;
+    return {&m_pieces[i], t};
+  }
+
   // The coordinates relative to a point, times the weight, which is positive.
   static std::pair<Exact_tensor, Exact_tensor> seen_from(const Exact_pair& point, const Boundary_piece& piece)
   {

@@ -12,6 +12,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -36,6 +37,18 @@ struct Homogeneous_piece
   bool is_smooth_at_begin = false, is_smooth_at_end = false;
 
   Exact_rational local(const Exact_rational& t) const { return Exact_rational((t - domain.first) / (domain.second - domain.first)); }
+
+  // The part within a range of the parameter.
+  Homogeneous_piece within(const Parameter_range& range) const
+  {
+    const Parameter_range part{(std::max)(domain.first, range.first), (std::min)(domain.second, range.second)};
+    if (part == domain)
+      return *this;
+    Homogeneous_piece result{part, coordinates, is_smooth_at_begin && part.first == domain.first, is_smooth_at_end && part.second == domain.second};
+    for (Bernstein_tensor<Exact_rational>& tensor : result.coordinates)
+      tensor = tensor.restricted(0, local(part.first), local(part.second));
+    return result;
+  }
 };
 
 template <class Curve>

@@ -6,25 +6,41 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The fronts inside or outside of a region, whose curves the graph is of: the sides of arcs there, and the fans that they lead to.
+// The graph of the boundaries of a region.
+template <class Region>
+std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
+{
+  auto graph = std::make_shared<Site_graph_2>();
+  for (std::size_t c = 0; c < region.curves().size(); ++c)
+    for (const Homogeneous_piece& piece : homogeneous_pieces(region.curves()[c], Planar_map(region.curves()[c])))
+      for (const auto& arc : region.arcs_of_curves()[c])
+        if (const auto& [begin, end] = arc.parameters; begin < piece.domain.second && end > piece.domain.first)
+          graph->add_arc(piece.within({begin, end}), c);
+  graph->close();
+  return graph;
+}
+
+// The fronts inside or outside of a region, of which this is the graph: the sides of arcs there, and the fans that they lead to.
 template <class Region>
 std::vector<std::size_t> region_fronts(const Site_graph_2& graph, const Region& region, bool is_inside)
 {
-  std::vector<char> is_reversed(region.curves().size(), false);   // against the direction that has the region on the left
-  for (const auto& boundary : region.boundaries())
-    for (const auto& arc : boundary.arcs)
-      is_reversed[arc.curve] = arc.is_reversed;
+  const auto is_reversed = [&](std::size_t arc) {   // against the direction that has the region on the left
+    const auto& arcs = region.arcs_of_curves()[graph.curve_of_arc(arc)];
+    return std::find_if(arcs.begin(), arcs.end(), [&](const auto& own) { return own.parameters[1] >= graph.arcs()[arc].piece().domain.second; })->is_reversed;
+  };
   std::vector<std::size_t> result;
   std::vector<char> is_visited(graph.fronts().size(), false);
   for (std::size_t arc = 0; arc < graph.arcs().size(); ++arc)
-    for (std::size_t f = 2 * arc + (static_cast<bool>(is_reversed[graph.curve_of_arc(arc)]) == is_inside); !is_visited[f]; f = graph.fronts()[f].next) {
+    for (std::size_t f = 2 * arc + (is_reversed(arc) == is_inside); !is_visited[f]; f = graph.fronts()[f].next) {
       is_visited[f] = true;
       result.push_back(f);
     }
