@@ -196,6 +196,15 @@ TEST(CrossingCurves, CurvesThatAreGivenTwice)
   expect_coincident({bezier({P(0, 0), P(3, 6), P(6, 0)}), bezier({P(0, 0), P(2, 4), P(4, 4), P(6, 0)})}, 1, {bezier({P(0, 0), P(3, 6), P(6, 0)})});
 }
 
+// A piece of y = x^2 / 36 at another speed, forward and backward.
+TEST(CrossingCurves, PiecesInCommonAtOtherSpeeds)
+{
+  const Curve parabola = bezier({P(-6, 1), P(12, -5), P(30, 25)}), piece = bezier({P(6, 1), P(9, 2), P(13, 4), P(18, 8), P(24, 16)}), backward = bezier({P(24, 16), P(18, 8), P(13, 4), P(9, 2), P(6, 1)});
+  const Curves parts{bezier({P(-6, 1), P(0, -1), P(6, 1)}), bezier({P(6, 1), P(15, 4), P(24, 16)}), bezier({P(24, 16), P(27, 20), P(30, 25)})};
+  expect_coincident({parabola, piece}, 1, parts);
+  expect_coincident({backward, parabola}, 1, parts);
+}
+
 TEST(CrossingCurves, PiecesInCommon)
 {
   const Curve cubic = bezier({P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), half = bezier({P(0, 0), P(0.5, 1), P(1, 0.5), P(1.5, 0)}), other_half = bezier({P(1.5, 0), P(2, -0.5), P(2.5, -1), P(3, 0)});
