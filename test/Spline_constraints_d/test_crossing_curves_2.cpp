@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of curves that cross each other or themselves, end on another one, or have pieces in common: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
+// Voronoi diagrams of curves that cross each other or themselves, end on another one, touch, or have pieces in common: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -114,7 +114,6 @@ TEST(CrossingCurves, Loop)
   EXPECT_EQ(number_of_parts(diagram), 3U);
 }
 
-// Curves that touch, or three of them through an irrational point, are not cut.
 TEST(CrossingCurves, ThinLoops)
 {
   // Loops 100 to 10,000 times as long as wide, with ends that nearly have one tangent.
@@ -125,13 +124,49 @@ TEST(CrossingCurves, ThinLoops)
   }
 }
 
-TEST(CrossingCurves, ContactsAreNotCut)
+// Cuts where curves touch at rational parameters, not where they do at irrational ones, which is known, or three of them pass through an irrational point.
+TEST(CrossingCurves, Cuts)
 {
-  const auto number_of_arcs = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), {})->arcs().size(); };
+  const auto graph = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), {}); };
+  const auto number_of_arcs = [&](const Curves& curves) { return graph(curves)->arcs().size(); };
   const Curve parabola = bezier({P(-2, 4), P(0, -4), P(2, 4)});   // y = x^2
-  EXPECT_EQ(number_of_arcs({parabola, bezier({P(-1, 0), P(1, 0)})}), 2U);
+  EXPECT_EQ(number_of_arcs({parabola, bezier({P(-1, 0), P(1, 0)})}), 4U);
+  EXPECT_TRUE(graph({parabola, bezier({P(-1, 0), P(1, 0)})})->is_proved());
+  EXPECT_FALSE(graph({bezier({P(0, 12), P(0.5, 12), P(1, 4), P(1.5, -12), P(2, 12)}), bezier({P(-1, 0), P(3, 0)})})->is_proved());   // 12 (x^2/2 - 1)^2 touches 0 at an irrational x
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)})}), 6U);
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-2, 2), P(2, 2)}), bezier({P(-2, 0), P(0, 8), P(2, 0)})}), 3U);   // y = 2, y = 4 - x^2
+}
+
+// A circle within another one, which it touches: the bisector is an ellipse.
+TEST(CrossingCurves, TouchingCircles)
+{
+  const auto circle = [](double x, double r) { return SC::ellipse_curve(P(x, 0), K::Vector_2(r, 0), K::Vector_2(0, r)); };
+  const Curves circles{circle(0, 2), circle(1, 1)};
+  const Diagram diagram = SC::voronoi_diagram(circles);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, circles, 0.2, 6);
+  std::size_t edges = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
+    const auto& [a, b] = diagram.edges()[e].sites;
+    if (diagram.sites()[a].is_point || diagram.sites()[b].is_point || diagram.sites()[a].curve == diagram.sites()[b].curve)
+      continue;
+    ++edges;
+    for (const auto& sample : diagram.polyline(e, 0.2, 6))
+      EXPECT_NEAR(distance(sample.point, P(0, 0)) + distance(sample.point, P(1, 0)), 3, 1e-9);
+  }
+  EXPECT_GE(edges, 2U);
+}
+
+// A parabola on its tangent, which has a tip of the diagram over the contact; a rounded corner that leaves a segment; ends with one tangent, on one side of it or on both, also with the same curvature, where the third derivatives differ.
+TEST(CrossingCurves, TouchingArcs)
+{
+  const Curve line = bezier({P(-1, 0), P(1, 0)}), fillet = bezier({P(0, 0), P(0.5, 0), P(0.5, 0.5)});
+  const Curves scenes[] = {{line, bezier({P(-1, 1), P(0, -1), P(1, 1)})}, {line, fillet}, {bezier({P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(1, 0)}), fillet},
+                           {bezier({P(0, 0), P(1, 0)}), bezier({P(0, 0), P(2, 0), P(3, 2), P(4, 2.5)})}, {bezier({P(0, 0), P(1, 0), P(2, 1), P(2.5, 2)}), bezier({P(3, -2), P(2, 0), P(0, 0)})},
+                           {bezier({P(0, 0), P(1, 0), P(2, 1)}), bezier({P(0, 0), P(1, 0), P(2, 0.75), P(3, 8)})}};
+  for (const Curves& scene : scenes)
+    expect_right(SC::voronoi_diagram(scene), scene, 1);
 }
 
 // One site for the points that curves have in common: the second curve adds nothing.
@@ -159,6 +194,15 @@ TEST(CrossingCurves, CurvesThatAreGivenTwice)
   expect_coincident({cubic, segment, backward, segment}, 2, {cubic, segment});   // they cross at irrational parameters
   // The same parabola with its degree elevated.
   expect_coincident({bezier({P(0, 0), P(3, 6), P(6, 0)}), bezier({P(0, 0), P(2, 4), P(4, 4), P(6, 0)})}, 1, {bezier({P(0, 0), P(3, 6), P(6, 0)})});
+}
+
+// A piece of y = x^2 / 36 at another speed, forward and backward.
+TEST(CrossingCurves, PiecesInCommonAtOtherSpeeds)
+{
+  const Curve parabola = bezier({P(-6, 1), P(12, -5), P(30, 25)}), piece = bezier({P(6, 1), P(9, 2), P(13, 4), P(18, 8), P(24, 16)}), backward = bezier({P(24, 16), P(18, 8), P(13, 4), P(9, 2), P(6, 1)});
+  const Curves parts{bezier({P(-6, 1), P(0, -1), P(6, 1)}), bezier({P(6, 1), P(15, 4), P(24, 16)}), bezier({P(24, 16), P(27, 20), P(30, 25)})};
+  expect_coincident({parabola, piece}, 1, parts);
+  expect_coincident({backward, parabola}, 1, parts);
 }
 
 TEST(CrossingCurves, PiecesInCommon)

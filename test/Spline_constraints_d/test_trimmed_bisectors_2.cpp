@@ -260,6 +260,22 @@ TEST(TrimmedBisectors, CrossingCircles)
   EXPECT_EQ(inner, 1U);
 }
 
+// The bisector of a circle and its tangent is a parabola, in two chains that begin in the contact; the common normal there is no part of it.
+TEST(TrimmedBisectors, CircleAndTangent)
+{
+  const Bisector bisector = SC::trimmed_bisector(SC::bezier_curve(std::vector<P>{P(-8, 0), P(8, 0)}), SC::ellipse_curve(P(0, 1), K::Vector_2(1, 0), K::Vector_2(0, 1)));
+  EXPECT_TRUE(bisector.is_complete());
+  std::size_t inner = 0;
+  for (const auto& chain : bisector.chains())
+    for (const auto& sample : samples(bisector, chain))
+      if (std::abs(sample.point.x()) < 8) {
+        ++inner;
+        EXPECT_NEAR(sample.point.x() * sample.point.x(), 4 * sample.point.y(), 1e-9);
+      }
+  EXPECT_EQ(bisector.chains().size(), 2U);
+  EXPECT_GT(inner, 4U);
+}
+
 double least_distance(const P& p, const std::vector<P>& points)
 {
   double result = std::numeric_limits<double>::infinity();

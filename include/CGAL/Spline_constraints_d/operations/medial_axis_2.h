@@ -22,7 +22,7 @@ It is the part of the Voronoi diagram of the boundary that is inside, `voronoi_d
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the pieces of the boundary to all cores through TBB. The answers are the same.
 \param region the region. Parameters are those of its curves.
-\throws Invalid_input when two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the weight of a curve is not proved to have one sign.
 
 Complexity: about half of that of the Voronoi diagram.
 */

@@ -77,7 +77,7 @@ Where curves meet, or one has a zero derivative or touches itself, the sector is
 \param a the first curve.
 \param b the second curve.
 \param alpha the share of the distance from the first curve, exactly; between 0 and 1, and not 1/2.
-\throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), or is 1/2: `trimmed_bisector()` is for that; when a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), or is 1/2: `trimmed_bisector()` is for that; when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of the Voronoi diagram. Source: \cgalCite{kes-gcps-05}, section 3, has the sector; \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */

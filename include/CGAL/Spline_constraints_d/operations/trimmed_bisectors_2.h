@@ -42,8 +42,8 @@ the trimmed bisector of two curves in the plane: all points that have the same d
 
 The distance is that of the nearest point of a curve, which may be one of its ends. Other than `bisector_curves()`, this has no centers of circles that touch both curves, but have another point of them inside.
 
-Curves may cross each other and themselves: a chain begins in each of the angles at a crossing of both. They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
-Where curves touch each other or themselves, or have a zero derivative, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
+Curves may cross or touch each other and themselves: a chain begins in each of the angles at a common point of both. They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
+Where curves touch at parameters that are not rational, or have a zero derivative, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
 
 It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 
@@ -51,7 +51,7 @@ It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.
 \param a the first curve.
 \param b the second curve.
-\throws Invalid_input when a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of the Voronoi diagram.
 */
@@ -94,7 +94,7 @@ the trimmed self-bisector of a curve in the plane: the centers of all disks that
 The points inside of a closed curve are its medial axis. That of a circle is a vertex of the diagram without edges.
 
 \tparam Concurrency_tag as above.
-\param curve a model of `ParametricCurve_2`; it may cross itself, but it must not touch itself, nor have a zero derivative.
+\param curve a model of `ParametricCurve_2`; it may cross and touch itself, as above.
 \throws Invalid_input as above.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, ParametricCurve_2 Curve>

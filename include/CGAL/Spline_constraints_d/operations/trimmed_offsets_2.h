@@ -35,7 +35,7 @@ each is connected to the other curve that the disk touches there, not by coordin
 \param curves the curves; there may be none.
 \param distance the distance; positive.
 \param points points that are offset with the curves.
-\throws Invalid_input when the distance is not positive or not finite, a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the distance is not positive or not finite, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes.
 */
@@ -59,7 +59,7 @@ the trimmed offset of a region: the boundary of the region that has grown by a d
 \tparam Concurrency_tag as above.
 \param region the region. Parameters of arcs are those of its curves.
 \param distance the distance; not zero. The result may be empty if it is negative.
-\throws Invalid_input when the distance is zero or not finite, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the distance is zero or not finite, or the weight of a curve is not proved to have one sign.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, const typename Kernel::FT& distance)

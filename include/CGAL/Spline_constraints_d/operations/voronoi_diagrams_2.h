@@ -20,7 +20,7 @@ namespace Spline_constraints {
 
 the Voronoi diagram of curves and points in the plane: which of them is nearest, for each point of the plane. Its edges are trimmed bisectors; the part within a closed curve is the medial axis there.
 
-The sites are the polynomial pieces of the curves, cut where curves cross each other or themselves or end on another one, all ends of these parts, and the points. A curve that is given twice, forward or backward, is one site, and so is a piece that curves have in common: then `Voronoi_diagram_2::coincident_parts()` tells which. Where curves touch, where three of them pass through a point of irrational parameters, and where a derivative is zero, the diagram is not resolved,
+The sites are the polynomial pieces of the curves, cut where curves cross each other or themselves, touch, or end on another one, all ends of these parts, and the points. A curve that is given twice, forward or backward, is one site, and so is a piece that curves have in common: then `Voronoi_diagram_2::coincident_parts()` tells which. Where curves touch at parameters that are not rational, where three of them pass through a point of irrational parameters, and where a derivative is zero, the diagram is not resolved,
 and `Voronoi_diagram_2::is_complete()` is false.
 
 For each side of each piece, and all normals of each end, the curvatures of the empty disks that touch it are computed as the upper envelope of functions of one variable, by subdivision with interval arithmetic in double precision; its pieces and the events between them are proved. Where curves join smoothly exact polynomials decide, and vertices of four sites or more are decided exactly if the sites are points, lines and circles and the center is rational. All are connected by their
@@ -30,7 +30,7 @@ contacts, not by coordinates.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves; there may be none.
 \param points the points.
-\throws Invalid_input when a piece of a curve is a point, two curves leave a common end in the same direction, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of `pairwise_intersections()`; and for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */

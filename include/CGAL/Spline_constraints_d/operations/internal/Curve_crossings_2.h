@@ -21,8 +21,8 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The points in which the curves of a collection cross each other or themselves, end on another one, or pass through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
-are left out, and so are contacts.
+The points in which the curves of a collection cross each other or themselves, touch, end on another one, or pass through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
+are left out, and so are contacts at parameters that are not rational.
 
 Where curves overlap, both are cut at the ends, and the part of the second one is marked as redundant; what crosses it crosses the first one.
 */
@@ -47,7 +47,7 @@ private:
   std::vector<Spline_patch<2>> m_curves;
   std::vector<std::vector<Cut>> m_cuts;              // of each curve, by increasing parameters
   std::vector<Coincident_parts_2> m_coincident_parts;
-  bool m_are_overlaps_proved = true;
+  bool m_are_overlaps_proved = true, m_are_cut_everywhere = true;
 
 public:
   template <class Concurrency_tag, SplineKernel Kernel>
@@ -94,8 +94,8 @@ public:
 
   const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
 
-  // Whether overlaps are proved wherever there are any.
-  bool are_overlaps_proved() const { return m_are_overlaps_proved; }
+  // Whether overlaps are proved wherever there are any, and there are cuts in all other common points.
+  bool are_complete() const { return m_are_overlaps_proved && m_are_cut_everywhere; }
 
 private:
   explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_cuts(curves.size())
@@ -124,7 +124,7 @@ private:
   {
     for (const auto& pair : pairs)
       for (const auto& intersection : pair.intersections)
-        if ((intersection.kind() == Intersection_kind::TRANSVERSAL || intersection.kind() == Intersection_kind::END_POINT) && !is_redundant(pair.first, intersection.parameter_range(0)) && !is_redundant(pair.second, intersection.parameter_range(1)))
+        if (intersection.kind() != Intersection_kind::OVERLAP && !is_redundant(pair.first, intersection.parameter_range(0)) && !is_redundant(pair.second, intersection.parameter_range(1)))
           add({pair.first, pair.second}, intersection);
   }
 
@@ -170,6 +170,10 @@ private:
       cuts[k] = {{t, t}, m_points.size()};
     }
     const bool is_exact = points[0] == points[1];
+    if (intersection.kind() == Intersection_kind::UNDECIDED || (!is_exact && intersection.kind() == Intersection_kind::TANGENT)) {
+      m_are_cut_everywhere = false;
+      return;
+    }
     for (std::size_t k = 0; k < 2; ++k) {
       if (!is_exact)
         cuts[k].parameter = with_short_ends({intersection.parameter_range(k)})[0];
@@ -216,6 +220,7 @@ private:
             is_removed[cuts[i].crossing] = true;
       }
     }
+    m_are_cut_everywhere = m_are_cut_everywhere && std::find(is_removed.begin(), is_removed.end(), true) == is_removed.end();
     for (auto& cuts : m_cuts) {
       std::erase_if(cuts, [&](const Cut& cut) { return is_removed[cut.crossing]; });
       cuts.erase(std::unique(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.parameter == b.parameter; }), cuts.end());

@@ -4,7 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_OVERLAPS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_OVERLAPS_2_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
@@ -22,7 +24,7 @@ namespace Spline_constraints {
 namespace internal {
 
 /*
-The overlaps of two polynomial or rational pieces, as far as they are proved exactly: pieces with the same polynomials, one of them perhaps backwards or of a higher degree, and pieces of lines and circles. Others, where one piece runs through the points of the other one at other speeds, are left out.
+The overlaps of two polynomial or rational pieces, as far as they are proved exactly: pieces with the same polynomials, one of them perhaps backwards or of a higher degree, pieces of lines and circles, and others of one curve that turn by less than a right angle, whatever their speeds.
 */
 class Overlap_of_pieces
 {
@@ -92,11 +94,23 @@ private:
     const Homogeneous_piece first = piece(m_first, parameters[0]), second = piece(m_second, parameters[1]);
     const Site_arc_2 a(first), b(second);
     for (const bool is_reversed : {false, true})
-      if (a.at(0) == b.at(is_reversed) && a.at(1) == b.at(!is_reversed) && (are_equal(first, is_reversed ? reversed(second) : second) || is_part_of_segment(b, a) || are_equal_circular_arcs(a, b))) {
+      if (a.at(0) == b.at(is_reversed) && a.at(1) == b.at(!is_reversed) && (are_equal(first, is_reversed ? reversed(second) : second) || is_part_of_segment(b, a) || are_equal_circular_arcs(a, b) || are_on_one_curve(a, b, is_reversed))) {
         result.push_back({parameters, is_reversed});
         return true;
       }
     return false;
+  }
+
+  // Whether both pieces run along one curve, at different speeds: next to their common point they have more coefficients in common than different curves of their degrees may have (Bezout), and as they go on in this direction, they end there, too, in one place of the curve.
+  static bool are_on_one_curve(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed)
+  {
+    const Upward_rounding_guard guard;
+    const auto goes_on = [](const Site_arc_2& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)); };
+    if (!are_same_directions(outgoing_direction(a, false), outgoing_direction(b, is_reversed)) || !goes_on(a) || !goes_on(b))
+      return false;
+    const std::size_t order = static_cast<std::size_t>(a.degree() * b.degree()) + 1;
+    const Arc_germ germ(a, false, order);
+    return germ.is_known() && germ == Arc_germ(b, is_reversed, order);
   }
 
   static Homogeneous_piece piece(const Spline_patch<2>& patch, const Parameter_range& range)

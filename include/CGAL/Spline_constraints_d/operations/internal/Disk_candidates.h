@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CANDIDATES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CANDIDATES_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Cusps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
 
@@ -44,9 +45,10 @@ class Disk_candidates
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
   Disk_curvature m_curvature;
+  const Cusps_2* m_cusps;   // none, or those that are known
 
 public:
-  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature) : m_graph(graph), m_tree(tree), m_curvature(curvature) {}
+  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps) {}
 
   std::vector<Disk_candidate> all() const
   {
@@ -68,7 +70,8 @@ public:
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
+    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(part, candidate.index, candidate.range, candidate.jet); };
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || is_hidden(candidate) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
     const auto add_parts = [&] {

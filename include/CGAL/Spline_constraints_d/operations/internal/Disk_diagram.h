@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
@@ -140,16 +141,17 @@ public:
   }
 
 private:
-  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, there is only the point.
+  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, there is only the point.
   std::optional<Disk> disk_in_corner(const Part& part, double u) const
   {
     if (front(part).is_fan || (u != 0 && u != 1) || stretch(part).contact.kind != Disk_contact::Kind::ARC)
       return std::nullopt;
     const Site_graph_2::Vertex& vertex = m_graph.vertices()[m_graph.vertex_of({front(part).object, u == 1})];
     const Interval_pair normal = m_graph.front_jet(front(part), {u, u}).normal;
+    const std::optional<Arc_end> across = m_graph.across_cusp(front(part), {front(part).object, u == 1});
     for (const Arc_end& end : vertex.ends) {
       const double v = end.parameter();
-      if (end.arc == stretch(part).contact.index && certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].jet({v, v}, 1)[1])) > 0)
+      if (end.arc == stretch(part).contact.index && (end == across || certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].jet({v, v}, 1)[1])) > 0))
         return Disk{vertex.point, any_number(), {v, v}};
     }
     return std::nullopt;
@@ -387,10 +389,11 @@ template <class Concurrency_tag>
 Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts)
 {
   const Site_tree_2 tree(graph);
+  const Cusps_2 cusps = Cusp_finder_2(graph, tree)();
   std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(graph, tree)(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(graph, tree, cusps)(fronts[i]);
   });
   return Disk_diagram(graph, std::move(fronts), std::move(stretches));
 }

@@ -34,7 +34,7 @@ public:
       m_graph->add_point(point);
     for (const Coincident_parts_2& parts : m_crossings.coincident_parts())
       m_graph->add_coincident_parts(parts);
-    m_graph->close(m_crossings.are_overlaps_proved());
+    m_graph->close(m_crossings.are_complete());
   }
 
   std::shared_ptr<const Site_graph_2> operator()() const { return m_graph; }

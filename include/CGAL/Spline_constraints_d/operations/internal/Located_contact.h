@@ -28,15 +28,20 @@ struct Disk_contact
   bool operator==(const Disk_contact&) const = default;
 };
 
-// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front.
+// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front; in a cusp, by a power of it.
 struct Corner_of_disks
 {
   double parameter = 0, least = 0;
+  int power = 1;
 
   double least_curvature(double u) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return !(least > 0) ? -infinity : u == parameter ? infinity : (Interval(least) / CGAL::abs(Interval(u) - Interval(parameter))).inf();
+    const Interval distance = CGAL::abs(Interval(u) - Interval(parameter));
+    Interval result(least);
+    for (int i = 0; i < power && u != parameter; ++i)
+      result /= distance;
+    return !(least > 0) ? -infinity : u == parameter ? infinity : result.inf();
   }
 };
 
@@ -117,7 +122,7 @@ inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const 
   if (!is_high(result))
     result = maximal_curvature(at, range_of_greatest_curvature(at, located.range));
   if (!is_high(result))
-    result.curvature = any_number();
+    result.curvature = Interval(least, std::numeric_limits<double>::infinity());
   return result;
 }
 

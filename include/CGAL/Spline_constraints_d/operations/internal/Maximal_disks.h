@@ -57,21 +57,24 @@ class Maximal_disks
   static constexpr double least_width = 0x1p-33, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
-  static constexpr int most_nodes = 10000;
+  static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
+  const Cusps_2* m_cusps;
   Disk_candidates m_candidates;
   std::optional<Disk_slopes> m_slopes;
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
-  int m_nodes = 0;
+  int m_nodes = 0, m_most_nodes = most_nodes;
 
 public:
-  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree) : Maximal_disks(graph, tree, Disk_curvature(graph)) {}
+  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps) : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps) {}
 
   // With scaled sites. Where no disk touches these, contacts are not told apart: they are said to be with nothing.
-  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_candidates(graph, tree, curvature) {}
+  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr)
+    : m_graph(graph), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps)
+  {}
 
   // The stretches of a front in order; none if nothing could be resolved.
   std::vector<Disk_stretch> operator()(std::size_t front)
@@ -79,14 +82,35 @@ public:
     m_stretches.clear();
     m_unresolved.reset();
     m_nodes = 0;
+    m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
     m_slopes.emplace(m_graph, front);
-    sweep(front, Range(), m_candidates.all());
+    Range range;
+    for (const bool end : {false, true})
+      if (const auto* cusp = cusp_at(front, end)) {
+        (end ? range.end : range.begin) = end ? cusp->range.begin : cusp->range.end;
+        m_most_nodes = cusp->contact ? m_most_nodes : most_unproved_nodes;
+      }
+    append_cusp(front, false);
+    if (range.begin < range.end)
+      sweep(front, range, m_candidates.all());
+    append_cusp(front, true);
     if (m_unresolved && !m_stretches.empty())
       m_stretches.back().events[1] = Disk_event::UNRESOLVED;
     return std::move(m_stretches);
   }
 
 private:
+  const Cusp_side* cusp_at(std::size_t front, bool end) const { return m_cusps != nullptr && m_cusps->side(front, end) ? &*m_cusps->side(front, end) : nullptr; }
+
+  void append_cusp(std::size_t front, bool end)
+  {
+    const Cusp_side* cusp = cusp_at(front, end);
+    if (cusp != nullptr && cusp->contact)
+      append(*cusp->contact, cusp->range);
+    else if (cusp != nullptr)
+      append_unresolved(cusp->range);
+  }
+
   void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
   {
     const Front_part part = m_curvature.part(front, range);
@@ -99,7 +123,7 @@ private:
     if (resolve(part, candidates, least))
       return;
     const double middle = range.begin + split_ratio * range.width();
-    if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > most_nodes) {
+    if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes) {
       append_unresolved(range);
       return;
     }
@@ -283,8 +307,10 @@ private:
     m_unresolved.reset();
   }
 
+  // The diagram is not complete then: less is done for the rest of the front.
   void append_unresolved(const Range& range)
   {
+    m_most_nodes = (std::min)(m_most_nodes, m_nodes + most_unproved_nodes);
     if (m_unresolved)
       m_unresolved->end = range.end;
     else

@@ -54,11 +54,17 @@ struct Range
   bool meets(const Range& other) const { return begin <= other.end && other.begin <= end; }
 };
 
+// From one end of an arc.
+inline Range range_at(double end, double width) { return end == 1 ? Range{1 - width, 1} : Range{0, width}; }
+
 inline Range united(const Range& a, const Range& b) { return {(std::min)(a.begin, b.begin), (std::max)(a.end, b.end)}; }
 
 // Enclosures of the point of an arc and of its first derivatives over a range.
 constexpr std::size_t jet_order = 4;
 using Curve_jet = std::array<Interval_pair, jet_order + 1>;
+
+// Whether the derivatives in any two points form an angle of less than 90 degrees: the curve goes away from each of its points.
+inline bool turns_by_less_than_right_angle(const Curve_jet& x) { return dot(x[1], x[1]).inf() > 0; }
 
 inline Curve_jet hull(const Curve_jet& a, const Curve_jet& b)
 {
@@ -163,6 +169,7 @@ public:
   }
 
   const Homogeneous_piece& piece() const { return m_piece; }
+  int degree() const { return (std::max)({m_piece.coordinates[0].degree(0), m_piece.coordinates[1].degree(0), m_piece.coordinates[2].degree(0)}); }
   bool is_straight() const { return m_is_straight; }
 
   // The circle the arc lies on.
@@ -256,9 +263,9 @@ private:
   template <class Function>
   bool contains_zero_of(const Function& function) const
   {
-    const int degree = (std::max)({m_piece.coordinates[0].degree(0), m_piece.coordinates[1].degree(0), m_piece.coordinates[2].degree(0)});
-    for (int i = 0; i <= 2 * degree; ++i)
-      if (CGAL::sign(function(at(Exact_rational(i) / Exact_rational(2 * degree)))) != CGAL::ZERO)
+    const int most = 2 * degree();
+    for (int i = 0; i <= most; ++i)
+      if (CGAL::sign(function(at(Exact_rational(i) / Exact_rational(most)))) != CGAL::ZERO)
         return false;
     return true;
   }

@@ -6,7 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Front_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <algorithm>
@@ -23,53 +25,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// One of the ends of an arc: its begin or its end.
-struct Arc_end
-{
-  std::size_t arc;
-  bool is_end;
-
-  double parameter() const { return is_end ? 1 : 0; }
-  bool operator==(const Arc_end&) const = default;
-};
-
-/*
-One side of an arc, or the normals of a vertex between two sides: what disks touch. Fronts are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
-from 1 to 0; and a fan clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
-*/
-struct Front
-{
-  bool is_fan;
-  std::size_t object;        // an arc, or a vertex
-  bool is_reversed = false;  // the right side of an arc
-  std::array<Exact_pair, 2> exact_normals{};
-  std::array<Interval_pair, 2> normals{};
-  std::array<std::vector<Arc_end>, 2> perpendicular_ends{};   // to the exact normals, of arcs that end in the vertex
-  std::size_t next = 0;      // where the traversal goes on
-};
-
-// Enclosures of the point of a front, its normal, which has any length, and their derivatives.
-struct Front_jet
-{
-  Interval_pair point, point_derivative, normal, normal_derivative;
-};
-
-// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there.
-struct Smooth_continuation
-{
-  Arc_end end;
-  Interval speed_ratio;
-};
-
-// The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
-struct Nearly_smooth_continuation
-{
-  Arc_end end;
-  double scale;
-  Interval_pair jump;
-  bool is_left_reflex;
-};
 
 /*
 Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
@@ -136,7 +91,7 @@ public:
     const Exact_pair a = arc.at(0), b = arc.at(1);
     if (a == b && a == arc.at(Exact_rational(1) / 2))
       throw Invalid_input("a piece of curve " + std::to_string(curve) + " is a point");
-    m_directions.push_back({direction_of(arc, false), direction_of(arc, true)});
+    m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
     m_curve_of_arc.push_back(curve);
     m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});
     const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a), places[1] ? places[1]->vertex : add_point(b)};
@@ -164,8 +119,8 @@ public:
     m_continuations.resize(m_arcs.size());
     m_nearly_smooth_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
-      order_ends(m_vertices[v]);
-      m_is_proved = m_is_proved && is_order_proved(m_vertices[v]);
+      const bool is_ordered = order_ends(m_vertices[v]);
+      m_is_proved = m_is_proved && is_ordered && is_order_proved(m_vertices[v]);
       find_continuations(m_vertices[v]);
       connect_fronts(v);
     }
@@ -217,6 +172,39 @@ public:
   {
     const auto& next = nearly_smooth_continuation(end);
     return next && (end.is_end != front.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
+  }
+
+  // The end of the arc on the other side of the cusp in which a front ends: that arc leaves the vertex in the same direction, and nothing is between.
+  std::optional<Arc_end> across_cusp(const Front& front, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
+    const Arc_end& next = next_around_vertex(front, end);
+    const bool is_around = is_left_of_way_to(front, end) ? end == ends.front() : end == ends.back();   // where all arcs leave in one direction
+    return !is_around && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+  }
+
+  // That of the next arc around the vertex in which a front ends, on the side of the front; and the front on the other side of the angle between them.
+  const Arc_end& next_around_vertex(const Front& front, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
+    const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()), n = ends.size();
+    return ends[(i + (is_left_of_way_to(front, end) ? n - 1 : 1)) % n];
+  }
+
+  std::size_t front_across(const Front& front, const Arc_end& end) const
+  {
+    const Arc_end& next = next_around_vertex(front, end);
+    return is_left_of_way_to(front, end) ? departing(next) : arriving(next);
+  }
+
+  // Those of the arcs on both sides of a fan.
+  std::pair<Arc_end, Arc_end> ends_beside_fan(std::size_t fan) const
+  {
+    std::size_t f = fan;
+    while (m_fronts[f].is_fan)
+      f = m_fronts[f].next;
+    const Arc_end last{m_fronts[f].object, m_fronts[f].is_reversed};   // where the traversal departs
+    return {last, next_around_vertex(m_fronts[f], last)};
   }
 
   // Whether a front is a fan between arcs that join nearly smoothly.
@@ -330,39 +318,28 @@ private:
     return sign_of(exact_dot(direction(end), Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) > 0;
   }
 
-  // The first derivative that is not zero, up to its length: from the end to the next control point that is another point, whatever the signs of their weights.
-  static Exact_pair direction_of(const Site_arc_2& arc, bool is_end)
+  // By directions, and by germs where these are equal. Returns whether there is one order.
+  bool order_ends(Vertex& vertex) const
   {
-    const auto& [x, y, w] = arc.piece().coordinates;
-    const auto elevated = [&x = x, &y = y, &w = w](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
-    const auto xs = elevated(x), ys = elevated(y), ws = elevated(w);
-    const std::size_t last = xs.size() - 1, end = is_end ? last : 0;
-    for (std::size_t i = 1; i <= last; ++i) {
-      const std::size_t k = is_end ? last - i : i;
-      const Exact_pair d{Exact_rational(xs[k] * ws[end] - xs[end] * ws[k]), Exact_rational(ys[k] * ws[end] - ys[end] * ws[k])};   // over the square of the weight
-      if (sign_of(d[0]) != 0 || sign_of(d[1]) != 0)
-        return d;
-    }
-    return {};
+    const auto is_before = [&](const Arc_end& a, const Arc_end& b) {
+      const Exact_pair &p = direction(a), &q = direction(b);
+      if (half_of_directions(p) != half_of_directions(q))
+        return half_of_directions(p) < half_of_directions(q);
+      const int turn = sign_of(exact_cross(p, q));
+      return turn != 0 ? turn > 0 : is_germ_before(a, b);
+    };
+    std::stable_sort(vertex.ends.begin(), vertex.ends.end(), is_before);
+    return std::adjacent_find(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& a, const Arc_end& b) { return !is_before(a, b); }) == vertex.ends.end();
   }
 
-  // 0 for directions in the upper half-plane with the positive x-axis, 1 for others
-  static int half(const Exact_pair& d) { return sign_of(d[1]) < 0 || (sign_of(d[1]) == 0 && sign_of(d[0]) < 0); }
-
-  void order_ends(Vertex& vertex) const
+  // Of arcs that leave a vertex in one direction. Others than pieces of one curve have no more coefficients in common than their degrees allow.
+  bool is_germ_before(const Arc_end& a, const Arc_end& b) const
   {
-    std::vector<std::pair<Exact_pair, Arc_end>> directed;
-    for (const Arc_end& end : vertex.ends)
-      directed.emplace_back(direction(end), end);
-    std::stable_sort(directed.begin(), directed.end(), [](const auto& a, const auto& b) {
-      return half(a.first) != half(b.first) ? half(a.first) < half(b.first) : sign_of(exact_cross(a.first, b.first)) > 0;
-    });
-    for (std::size_t i = 0; i < directed.size(); ++i) {
-      vertex.ends[i] = directed[i].second;
-      if (i > 0 && half(directed[i - 1].first) == half(directed[i].first) && sign_of(exact_cross(directed[i - 1].first, directed[i].first)) == 0)
-        throw Invalid_input("curves " + std::to_string(m_curve_of_arc[directed[i - 1].second.arc]) + " and " + std::to_string(m_curve_of_arc[directed[i].second.arc]) +
-                            " leave their common point (" + std::to_string(CGAL::to_double(vertex.exact_point[0])) + ", " + std::to_string(CGAL::to_double(vertex.exact_point[1])) + ") in the same direction");
-    }
+    if (!is_exact(a) || !is_exact(b))
+      return false;
+    const std::size_t order = static_cast<std::size_t>(m_arcs[a.arc].degree() * m_arcs[b.arc].degree()) + 1;
+    const Arc_germ germ(m_arcs[a.arc], a.is_end, order), other(m_arcs[b.arc], b.is_end, order);
+    return germ.is_known() && other.is_known() && germ < other;
   }
 
   // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less than 180 degrees, or that because one curve passes.
@@ -392,11 +369,24 @@ private:
         if (sign_of(s[k]) == 0 || sign_of(t[k]) == 0)
           continue;
         const Exact_rational ratio = CGAL::abs(Exact_rational(t[k] / s[k]));
-        if (const int turn = sign_of(exact_cross(p, q)); turn == 0)
+        if (const int turn = sign_of(exact_cross(p, q)); turn == 0 && !(goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a)))
+          continue;
+        else if (turn == 0)
           m_continuations[a.arc][a.is_end] = {b, is_exact(a) && is_exact(b) ? interval_of(ratio) : ratio_of_speeds(a, b, k)};
         else if (vertex.ends.size() == 2 && is_small_turn(p, q))
           m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
+  }
+
+  // Which of several opposite arcs goes on as another one: that next to it around the vertex; if there is one on each side, that of the same curve.
+  bool goes_on_as(const Vertex& vertex, const Arc_end& a, const Arc_end& b) const
+  {
+    const auto is_opposite = [&](const Arc_end& end) { return are_same_directions(direction(end), direction(b)); };
+    if (std::count_if(vertex.ends.begin(), vertex.ends.end(), is_opposite) == 1)
+      return true;
+    const Front left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
+    const Arc_end &next = next_around_vertex(left, a), &last = next_around_vertex(right, a);
+    return (b == next || b == last) && (!is_opposite(next) || !is_opposite(last) || (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
   }
 
   Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
@@ -418,6 +408,8 @@ private:
     const auto jump = [&](std::size_t k) { return interval_of(Exact_rational(away * t[k] - to_end * s[k])); };
     return {b, scale, {jump(0), jump(1)}, is_left_reflex};
   }
+
+  static bool is_left_of_way_to(const Front& front, const Arc_end& end) { return end.is_end != front.is_reversed; }
 
   // The front that is traversed away from an end of an arc, or toward it.
   static std::size_t departing(const Arc_end& end) { return 2 * end.arc + end.is_end; }
@@ -443,9 +435,9 @@ private:
       const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
       std::size_t last = arriving(a);
       const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, n1); };
-      if (n == 1 || side < 0) {
-        if (n == 1 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
-          const Exact_pair middle = n == 1 ? ahead : between(from, to);
+      if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {   // the last case: all arcs leave in one direction
+        if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
+          const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
           turn(from, middle);
           turn(middle, to);
         } else
@@ -466,16 +458,6 @@ private:
     m_fronts.push_back(std::move(fan));
     m_vertices[vertex].fans.push_back(m_fronts.size() - 1);
     return m_fronts.size() - 1;
-  }
-
-  // A direction between two that form an angle of 90 to 180 degrees, the second clockwise from the first: perpendicular to one of them, or near their bisector.
-  static Exact_pair between(const Exact_pair& from, const Exact_pair& to)
-  {
-    const double a = std::atan2(CGAL::to_double(from[1]), CGAL::to_double(from[0])), b = std::atan2(CGAL::to_double(to[1]), CGAL::to_double(to[0]));
-    const double angle = (a + (b < a ? b : b - 2 * CGAL_PI)) / 2;
-    const Exact_pair proposal{Exact_rational(std::cos(angle)), Exact_rational(std::sin(angle))};
-    const auto is_clockwise = [](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(x, y)) < 0; };
-    return is_clockwise(from, proposal) && is_clockwise(proposal, to) ? proposal : Exact_pair{from[1], Exact_rational(-from[0])};
   }
 };
 

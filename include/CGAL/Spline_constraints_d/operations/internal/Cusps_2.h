@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// Where a front ends in a cusp: what is settled, or else given up; and the contact of all disks there.
+struct Cusp_side
+{
+  Range range;
+  std::optional<Located_contact> contact;
+  std::size_t other_front;   // which the disks touch
+};
+
+/*
+What is known next to vertices with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a contact with a third one. And what is settled in a cusp is touched in it by the disks of
+the two fronts there only: by others it is touched from behind.
+*/
+class Cusps_2
+{
+  const Site_graph_2& m_graph;
+  std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;   // of each front; none if there are no cusps
+  std::map<std::size_t, double> m_squared_radii;                   // of the circles around vertices
+  std::vector<std::array<double, 2>> m_reaches;                    // how far the ends of arcs go away from these
+
+public:
+  explicit Cusps_2(const Site_graph_2& graph) : m_graph(graph) {}
+
+  bool empty() const { return m_sides.empty(); }
+
+  void add(std::size_t front, bool end, Cusp_side side)
+  {
+    if (empty()) {
+      m_sides.resize(m_graph.fronts().size());
+      m_reaches.resize(m_graph.arcs().size());
+    }
+    m_sides[front][end] = std::move(side);
+    if (const std::size_t vertex = m_graph.vertex_of({m_graph.fronts()[front].object, end}); !m_squared_radii.contains(vertex))
+      add_circle(vertex);
+  }
+
+  const std::optional<Cusp_side>& side(std::size_t front, bool end) const
+  {
+    static const std::optional<Cusp_side> none;
+    return empty() ? none : m_sides[front][end];
+  }
+
+  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above.
+  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    if (empty())
+      return false;
+    for (const bool end : {false, true})
+      if (is_behind_wall(part, {arc, end}, range, jet[0]) || is_in_front_of(part, {arc, end}, range, jet))
+        return true;
+    return false;
+  }
+
+private:
+  // Where the derivative of an arc turns by less than a right angle, the distance from any of its points grows.
+  void add_circle(std::size_t vertex)
+  {
+    constexpr double least_reach = 0x1p-30;
+    double squared_radius = std::numeric_limits<double>::infinity();
+    for (const Arc_end& end : m_graph.vertices()[vertex].ends) {
+      double& reach = m_reaches[end.arc][end.is_end] = 1;
+      const auto goes_away = [&] { return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].jet(range_at(end, reach), 1)); };
+      while (reach > least_reach && !goes_away())
+        reach /= 2;
+      const double last = end.is_end ? 1 - reach : reach;
+      squared_radius = (std::min)(squared_radius, squared_norm(m_graph.arcs()[end.arc].point({last, last}) - m_graph.vertices()[vertex].point).inf());
+      if (!goes_away())
+        squared_radius = 0;
+    }
+    m_squared_radii[vertex] = squared_radius;
+  }
+
+  bool is_in_circle(const Arc_end& end, const Range& range, const Interval_pair& points) const
+  {
+    const std::size_t vertex = m_graph.vertex_of(end);
+    const auto circle = m_squared_radii.find(vertex);
+    const Range reach = range_at(end, m_reaches[end.arc][end.is_end]);
+    return circle != m_squared_radii.end() && reach.begin <= range.begin && range.end <= reach.end && squared_norm(points - m_graph.vertices()[vertex].point).sup() < circle->second;
+  }
+
+  bool is_behind_wall(const Front_part& part, const Arc_end& end, const Range& range, const Interval_pair& points) const
+  {
+    if (!is_in_circle(end, range, points))
+      return false;
+    const Front& front = m_graph.fronts()[part.front];
+    const std::size_t vertex = m_graph.vertex_of(end);
+    if (front.is_fan) {
+      const auto [first, second] = m_graph.ends_beside_fan(part.front);
+      return front.object == vertex && end != first && end != second;
+    }
+    for (const bool is_end : {false, true})
+      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(own, part.range, part.jet.point) && end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)))
+        return true;
+    return false;
+  }
+
+  // Whether the next arc leaves in the same direction on the other side of all others: chords do not lead there.
+  bool is_around_vertex(const Front& front, const Arc_end& own) const
+  {
+    return !m_graph.across_cusp(front, own) && are_same_directions(m_graph.direction(own), m_graph.direction(m_graph.next_around_vertex(front, own)));
+  }
+
+  // Whether the front is on that side of an arc on which this is settled.
+  bool is_in_front_of(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  {
+    for (const bool is_right : {false, true})
+      if (const std::size_t own = 2 * end.arc + is_right; part.front != own)
+        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->contact && settled->other_front != part.front && settled->range.begin <= range.begin && range.end <= settled->range.end)
+          if ((Interval(is_right ? -1 : 1) * height(part, end, range, jet)).inf() >= 0)
+            return true;
+    return false;
+  }
+
+  // The sign of that of a front over the tangents of an arc: in the end of the arc itself it is that of the curvature.
+  Interval height(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (front.is_fan && front.object == m_graph.vertex_of(end)) {
+      const Curve_jet y = m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 2);
+      return dot(turned_left(y[1]), y[2]);
+    }
+    return dot(turned_left(jet[1]), part.jet.point - jet[0]);
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
