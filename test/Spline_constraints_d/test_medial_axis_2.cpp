@@ -65,6 +65,29 @@ TEST(MedialAxis, SegmentOfAParabola)
         EXPECT_NEAR(sample.radius, 4 - sample.point.y(), 1e-9);
 }
 
+// A piece of a side of a rectangle is so short that the disks at the other side may touch it and both of its neighbours.
+TEST(MedialAxis, ShortPiecesOnOneOfTwoParallelLines)
+{
+  for (const double at : {1.0, 2.5, 2.75, 4.0})
+    for (const double length : {0.3, 0.1, 0.01, 0.0001}) {
+      const Axis axis = SC::medial_axis(polygon({P(0, 0), P(at, 0), P(at + length, 0), P(6, 0), P(6, 4), P(0, 4)}));
+      EXPECT_TRUE(axis.is_complete()) << at << ' ' << length;
+      EXPECT_EQ(number_of_vertices(axis, 3), 2U);
+      EXPECT_TRUE(has_vertex(axis, P(2, 2), 2));
+      EXPECT_TRUE(has_vertex(axis, P(4, 2), 2));
+    }
+}
+
+// Four corners on a circle, a symmetric trapezoid: the centers of the disks at one of them turn back where these touch the others.
+TEST(MedialAxis, Asterisk)
+{
+  const Axis axis = SC::medial_axis(polygon({P(963, 1247), P(604, 1053), P(963, 858), P(905, 760), P(569, 963), P(569, 586), P(455, 586), P(455, 963), P(119, 760), P(61, 858), P(420, 1053), P(61, 1247), P(119, 1346), P(455, 1143), P(455, 1520), P(569, 1520), P(569, 1143), P(905, 1346)}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(number_of_vertices(axis, 4), 2U);
+  const double height = 186655. / 180;   // of the point on the axis of symmetry with the same distance from (455, 963) and (420, 1053)
+  EXPECT_TRUE(has_vertex(axis, P(512, height), std::hypot(57, height - 963)));
+}
+
 // Sides 3, 4, 5: a tree with the center of the inscribed circle and the corners.
 TEST(MedialAxis, Triangle)
 {

@@ -271,6 +271,7 @@ private:
   {
     Disk_branch branch;
     static_cast<Located_contact&>(branch) = contact_with(cluster);
+    bool is_added_there = false;
     for (const bool end : {false, true})
       if (cluster.ends[end] == End_state::UNKNOWN) {
         const auto beyond = contact_beyond({cluster.arc, end});
@@ -278,9 +279,10 @@ private:
           continue;
         m_are_known = m_are_known && !branch.move;
         branch.move = {Disk_event::JOINT, cluster.arc, end ? 1.0 : 0.0, end ? *beyond : branch, end ? branch : *beyond};
-        if (beyond->contact.kind == Disk_contact::Kind::ARC && is_before(beyond->contact.index, cluster.arc))
-          return;   // it is added there
+        is_added_there = is_added_there || (beyond->contact.kind == Disk_contact::Kind::ARC && is_before(beyond->contact.index, cluster.arc));
       }
+    if (is_added_there)   // not before both ends have been looked at: the contact may go over in only one of them
+      return;
     const bool is_own = !m_front.is_fan && m_front.object == cluster.arc;
     if (is_own && branch.contact.side == 0) {
       m_are_known = m_are_known && !branch.move;
