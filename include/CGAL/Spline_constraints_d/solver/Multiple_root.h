@@ -97,6 +97,7 @@ inline std::optional<Multiple_root> multiple_root_in(const Constraint_system_d& 
   if (system.equalities().size() != n)
     return std::nullopt;
   Multiple_root result;
+  result.point.reserve(n);
   for (std::size_t j = 0; j < n; ++j) {
     const auto coordinate = short_rational_between(lower[j], upper[j]);
     if (!coordinate)
