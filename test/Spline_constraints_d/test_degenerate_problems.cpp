@@ -116,8 +116,8 @@ TEST(Degenerate_contacts, NoRegularRow)
   }
 }
 
-// More equalities than unknowns, and Jacobians of corank 2.
-TEST(Degenerate_contacts, OverdeterminedAndCorankTwo)
+// More equalities than unknowns, and Jacobians of corank 2 and 3.
+TEST(Degenerate_contacts, OverdeterminedAndHigherCorank)
 {
   using Traits = SC::Certified_solver_traits;
   const Polynomial a = 3 * x - 1, b = 2 * y - 1, c = 5 * z - 2;
@@ -126,6 +126,7 @@ TEST(Degenerate_contacts, OverdeterminedAndCorankTwo)
   check_clusters<Traits>(with_equalities(cube(2, 0, 2), {(a - b * b) * (x - 1), (a * a + b * b) * (y - x), a * b * (x + y - 2)}), {{point, 2}}, {{1, 1}});
   check_clusters<Traits>(with_equalities(cube(2, 0, 1), {a * a - b * b * b, a * b + b * b * b}), {{point, 5}}, {{0, 1}});
   check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b + c, a * b + c * c, c + a * a * b}), {{{point[0], point[1], fraction(2, 5)}, 4}});
+  check_clusters<Traits>(with_equalities(cube(3, 0, 1), {a * a - b * b, a * b + c * c, c * a + 2 * b * b}), {{{point[0], point[1], fraction(2, 5)}, 8}});
 }
 
 // Problem 14 with r^2 = 9/4 for the directions (1,y,z): the other two of the six are at infinity.

@@ -59,27 +59,36 @@ public:
 
   // The rest asks about what was eliminated last.
 
-  bool is_graph() const
+  bool is_graph() const { return contraction() < 1; }
+
+  // Bounds in the node on the row sums of what the derivatives of the first n - 1 rows, by all unknowns but the parameter, differ from the identity by.
+  double contraction() const
+  {
+    double result = 0;
+    for (int i = 0; i + 1 < n(); ++i)
+      if (const double own = spread(i); own > result || std::isnan(own))
+        result = own;
+    return result;
+  }
+
+  // One of these; for the other rows, of their derivatives themselves: for the same parameter they change by at most this times the distance, in the maximum norm.
+  double spread(int row) const
   {
     constexpr double rounding = 1e-9;
-    for (int i = 0; i + 1 < n(); ++i) {
-      double difference = 0, size = 0;
-      for (int j = 0; j < n(); ++j) {
-        if (m_row[j] < 0)
-          continue;
-        double sum = m_row[j] == i ? -1 : 0, radius = 0;
-        for (int l = 0; l < m(); ++l) {
-          const double factor = transform(i, l);
-          sum += factor * m_middle[l * n() + j];
-          radius += std::abs(factor) * m_radius[l * n() + j];
-          size += std::abs(factor * m_middle[l * n() + j]);
-        }
-        difference += std::abs(sum) + radius;
+    double difference = 0, size = 0;
+    for (int j = 0; j < n(); ++j) {
+      if (m_row[j] < 0)
+        continue;
+      double sum = m_row[j] == row ? -1 : 0, radius = 0;
+      for (int l = 0; l < m(); ++l) {
+        const double factor = transform(row, l);
+        sum += factor * m_middle[l * n() + j];
+        radius += std::abs(factor) * m_radius[l * n() + j];
+        size += std::abs(factor * m_middle[l * n() + j]);
       }
-      if (!(difference + rounding * size < 1))
-        return false;
+      difference += std::abs(sum) + radius;
     }
-    return true;
+    return difference + rounding * size;
   }
 
   // Some of the first n - 1 rows has no zero in the node, by the linear parts of the equalities.

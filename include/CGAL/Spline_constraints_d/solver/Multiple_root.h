@@ -8,6 +8,8 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Contact_test.h>
 #include <CGAL/Spline_constraints_d/solver/Double_root_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/point_values.h>
+#include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +67,26 @@ inline std::optional<Exact_rational> short_rational_between(double lower, double
   return Exact_rational(p1) / Exact_rational(q1);
 }
 
+// The point is no solution, or a regular one: doubles tell this of most guesses.
+inline bool is_certainly_not_multiple(const Constraint_system_d& system, const std::vector<Exact_rational>& point)
+{
+  const Rounded_values at_point(point);
+  if (std::any_of(system.equalities().begin(), system.equalities().end(), [&](const Spline_function& f) { return at_point.value(f).is_certainly_not_zero(); }))
+    return true;
+  const int n = static_cast<int>(point.size());
+  std::vector<Derivative_range> ranges;
+  std::vector<double> middle, inverse(n * n), entries(n);
+  for (const Spline_function& function : system.equalities())
+    for (const auto& [value, error] : at_point.gradient(function)) {
+      ranges.emplace_back(value - error, value + error);
+      middle.push_back(value);
+    }
+  bool is_regular = invert(n, middle, inverse);
+  for (int j = 0; j < n && is_regular; ++j)
+    is_regular = contraction_row(n, n, j, inverse.data() + j * n, [&](int i, int k) -> const Derivative_range& { return ranges[i * n + k]; }, entries.data()) < 0.5;
+  return is_regular;
+}
+
 /*
 The multiple root that is the simplest rational point of a box of doubles, with a Jacobian of rank n - 1, and alone in a box around this one: as large as is proved, up to the size `widths`.
 */
@@ -75,14 +97,17 @@ inline std::optional<Multiple_root> multiple_root_in(const Constraint_system_d& 
   if (system.equalities().size() != n)
     return std::nullopt;
   Multiple_root result;
+  result.point.reserve(n);
   for (std::size_t j = 0; j < n; ++j) {
     const auto coordinate = short_rational_between(lower[j], upper[j]);
     if (!coordinate)
       return std::nullopt;
     result.point.push_back(*coordinate);
   }
+  if (is_certainly_not_multiple(system, result.point))
+    return std::nullopt;
   for (const Spline_function& function : system.equalities())
-    if (!vanishes_at(function, result.point))
+    if (!CGAL::is_zero(evaluate_exactly(function, result.point)))
       return std::nullopt;
   const Double_root_test test(system, result.point);
   if (!test.has_corank_one())

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/Root_refinement.h>
 #include <CGAL/Spline_constraints_d/solver/algebraic_position.h>
+#include <CGAL/Spline_constraints_d/solver/internal/point_values.h>
 #include <CGAL/Spline_constraints_d/solver/rational_coordinates.h>
 
 #include <algorithm>
@@ -47,56 +48,6 @@ inline bool is_certainly_satisfied(Relation relation, double lower, double upper
   case Relation::GREATER: break;
   }
   return lower > 0;
-}
-
-// The value of a piece of a term at a point, by Horner's scheme along the last axis that is left.
-template <class NT>
-NT horner(const Spline_term& term, std::vector<NT> values, const std::vector<NT>& point)
-{
-  for (std::size_t j = term.variables.size(); j-- > 0;) {
-    const std::size_t line = static_cast<std::size_t>(term.degrees[j]) + 1, lines = values.size() / line;
-    for (std::size_t i = 0; i < lines; ++i) {
-      NT value = values[i * line + line - 1];
-      for (std::size_t k = line - 1; k-- > 0;)
-        value = value * point[term.variables[j]] + values[i * line + k];
-      values[i] = value;
-    }
-    values.resize(lines);
-  }
-  return values[0];
-}
-
-// The value of a spline at any rational point, in exact arithmetic.
-inline Exact_rational evaluate_exactly(const Spline_function& function, const std::vector<Exact_rational>& point)
-{
-  Exact_rational sum(0);
-  for (const Spline_term& term : function.terms())
-    sum += horner(term, piece_at(term, point), point);
-  return sum;
-}
-
-// Whether a spline is zero at a rational point: exact arithmetic is for what doubles do not tell from zero.
-inline bool vanishes_at(const Spline_function& function, const std::vector<Exact_rational>& point)
-{
-  std::vector<double> place, distance, values;
-  for (const Exact_rational& x : point) {
-    place.push_back(CGAL::to_double(x));
-    distance.push_back(std::abs(place.back()));
-  }
-  double sum = 0, size = 0, operations = static_cast<double>(function.terms().size());
-  for (const Spline_term& term : function.terms()) {
-    values.clear();
-    for (const Exact_rational& coefficient : piece_at(term, point))
-      values.push_back(CGAL::to_double(coefficient));
-    sum += horner(term, values, place);
-    for (double& value : values)
-      value = std::abs(value);
-    size += horner(term, std::move(values), distance);
-    for (int degree : term.degrees)
-      operations += 4.0 * (degree + 1);   // on the way of a coefficient: two per step, and the coordinate is rounded as well
-  }
-  const double error = (2 + operations) * 0x1p-51 * size;
-  return !(std::abs(sum) > error && size < 0x1p900 && size > 0x1p-900) && CGAL::is_zero(evaluate_exactly(function, point));
 }
 
 /*

@@ -41,9 +41,12 @@ class Solution_curve_test
   Node_analysis<NT> m_analysis;
   Box_node<NT> m_node;
   Curve_graph_test m_graph;
-  std::vector<double> m_place, m_value;
+  std::vector<double> m_place, m_value, m_spread;
   std::vector<Exact_source::Value> m_values;
   double m_resolution = 0;   // of places in the node
+  double m_steps = 0;        // no farther is the curve, in units of a step to it
+  enum class Rest { ZERO, NOT_ZERO, UNKNOWN };
+  static constexpr double m_slack = 1e-9;
 
 public:
   Solution_curve_test(const System_layout& layout, Exact_source& source, Summary& summary, bool tracks_rounding)
@@ -106,21 +109,24 @@ private:
   // The rows that the curve does not make zero are zero, up to rounding, at two points of it at least, and nowhere else where it was tried.
   bool are_zero_along_graph(const Cell& cell)
   {
+    m_spread.clear();
+    for (int i = 0; i < m(); ++i)
+      m_spread.push_back(m_graph.spread(i));
+    m_steps = (1 + m_slack) / (1 - m_graph.contraction());
     int zeros = 0;
     for (const double parameter : {-0.41, -0.13, 0.17, 0.38}) {
       m_place.assign(n(), 0);
-      for (int j = 0; j < n(); ++j)
-        if (j == m_graph.parameter())
-          m_place[j] = parameter;
-      const bool is_found = move_to_graph(cell);
-      if (is_found && (!are_zero(64 * m_resolution) || (zeros == 0 && !are_zero_exactly(cell))))
+      m_place[m_graph.parameter()] = parameter;
+      const Rest rest = rest_on_graph(cell);
+      if (rest == Rest::NOT_ZERO || (rest == Rest::ZERO && zeros == 0 && !are_zero_exactly(cell)))
         return false;
-      zeros += is_found;
+      zeros += rest == Rest::ZERO;
     }
     return zeros >= 2;
   }
 
-  bool move_to_graph(const Cell& cell)
+  // What the rows that the curve does not make zero are on it, where the parameter has its value; the place moves there.
+  Rest rest_on_graph(const Cell& cell)
   {
     constexpr int most_steps = 60;
     std::vector<Coordinate> point(m_node.lower.size());
@@ -135,15 +141,31 @@ private:
       evaluate(cell, std::span<const Coordinate>(point));
       double longest = 0;
       for (int j = 0; j < n(); ++j)
+        if (const int row = m_graph.row_of(j); row >= 0)
+          longest = (std::max)(longest, std::abs(m_value[row]));
+      if (is_not_zero_within(m_steps * (longest + 8 * m_resolution)))
+        return Rest::NOT_ZERO;
+      for (int j = 0; j < n(); ++j)
         if (const int row = m_graph.row_of(j); row >= 0) {
           m_place[j] -= m_value[row];
-          longest = (std::max)(longest, std::abs(m_value[row]));
           if (!(std::abs(m_place[j]) < 0.6))
-            return false;
+            return Rest::UNKNOWN;
         }
       if (longest < 8 * m_resolution)
-        return true;
+        return are_zero(64 * m_resolution) ? Rest::ZERO : Rest::NOT_ZERO;
     }
+    return Rest::UNKNOWN;
+  }
+
+  // The curve passes the last place within this distance, inside of the node, and some row that it does not make zero is too large there to be zero on it.
+  bool is_not_zero_within(double distance) const
+  {
+    for (int j = 0; j < n(); ++j)
+      if (j != m_graph.parameter() && !(std::abs(m_place[j]) + distance < 0.5))
+        return false;
+    for (int i = n() - 1; i < m(); ++i)
+      if (std::abs(m_value[i]) > m_spread[i] * distance * (1 + m_slack))
+        return true;
     return false;
   }
 

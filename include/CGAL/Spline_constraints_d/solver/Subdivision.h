@@ -182,12 +182,18 @@ public:
   // Tries whether the simplest point of a box is a multiple root; if so, it is kept.
   bool guess_multiple_root(const Cell& cell, const std::vector<Coordinate>& box_lower, const std::vector<Coordinate>& box_upper, const std::vector<double>& widths)
   {
-    std::vector<double> lower, upper;
-    for (int j = 0; j < m_layout.dimension; ++j) {
-      lower.push_back(to_double_interval(Exact_rational(box_lower[j])).first);
-      upper.push_back(to_double_interval(Exact_rational(box_upper[j])).second);
+    const auto root_between = [&](const std::vector<double>& lower, const std::vector<double>& upper) { return multiple_root_in(m_system, lower, upper, widths); };
+    std::optional<Multiple_root> root;
+    if constexpr (std::is_same_v<Coordinate, double>)
+      root = root_between(box_lower, box_upper);
+    else {
+      std::vector<double> lower, upper;
+      for (int j = 0; j < m_layout.dimension; ++j) {
+        lower.push_back(to_double_interval(box_lower[j]).first);
+        upper.push_back(to_double_interval(box_upper[j]).second);
+      }
+      root = root_between(lower, upper);
     }
-    auto root = multiple_root_in(m_system, lower, upper, widths);
     if (!root || !clip_to_cell(cell, *root))
       return false;
     m_multiple_roots.push_back(std::move(*root));
