@@ -158,11 +158,11 @@ TEST(CrossingCurves, TouchingCircles)
   EXPECT_GE(edges, 2U);
 }
 
-// A parabola on its tangent, which has a tip of the diagram over the contact; a rounded corner that leaves a segment; ends with one tangent, on one side of it or on both, also with the same curvature, where the third derivatives differ.
+// A circle on a line, which ends elsewhere on both sides; a parabola on its tangent, which has a tip of the diagram over the contact; a rounded corner that leaves a segment; ends with one tangent, on one side of it or on both, also with the same curvature, where the third derivatives differ.
 TEST(CrossingCurves, TouchingArcs)
 {
   const Curve line = bezier({P(-1, 0), P(1, 0)}), fillet = bezier({P(0, 0), P(0.5, 0), P(0.5, 0.5)});
-  const Curves scenes[] = {{line, bezier({P(-1, 1), P(0, -1), P(1, 1)})}, {line, fillet}, {bezier({P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(1, 0)}), fillet},
+  const Curves scenes[] = {{bezier({P(-2, 1), P(3, 1)}), SC::circle_curve(P(0.25, 1.75), 0.75)}, {line, bezier({P(-1, 1), P(0, -1), P(1, 1)})}, {line, fillet}, {bezier({P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(1, 0)}), fillet},
                            {bezier({P(0, 0), P(1, 0)}), bezier({P(0, 0), P(2, 0), P(3, 2), P(4, 2.5)})}, {bezier({P(0, 0), P(1, 0), P(2, 1), P(2.5, 2)}), bezier({P(3, -2), P(2, 0), P(0, 0)})},
                            {bezier({P(0, 0), P(1, 0), P(2, 1)}), bezier({P(0, 0), P(1, 0), P(2, 0.75), P(3, 8)})}};
   for (const Curves& scene : scenes)

@@ -203,14 +203,14 @@ private:
     return is_any_end(cluster, [](const Disk_slope& slope, const Range& a, const Range& b, bool) { return slope.is_value_negative(a, b); });
   }
 
-  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one.
+  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one. In tangents of the circle of the front it may do so on both sides.
   void settle_joints()
   {
     for (Cluster& cluster : m_clusters)
       for (const bool end : {false, true}) {
         const auto& continuation = m_graph.continuation({cluster.arc, end});
         const Cluster* next = continuation ? cluster_at(continuation->end) : nullptr;
-        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr)
+        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of({cluster.arc, end})))
           continue;
         const End_state state = next->ends[continuation->end.is_end];
         cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
