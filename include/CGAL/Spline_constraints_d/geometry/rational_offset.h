@@ -160,7 +160,7 @@ inline std::optional<Bspline_surface_3<Exact_kernel>> joined_surface(std::vector
 \ingroup PkgSplineConstraintsDGeometry
 
 an offset as a rational surface with the same parameters, exactly, where it is one: where on each piece the squared length of the normal is the square of a polynomial with rational coefficients, up to squares. So it is for parts of
-spheres, cylinders, cones and tori with rational radii, as functions of this package make them, for planes with a rational unit normal, and for other surfaces with a Pythagorean normal. Otherwise, or if common factors are not found by `common_factor()`, nothing.
+spheres, cylinders and tori with rational radii, as functions of this package make them, for cones whose angle has a rational sine and cosine, planes with a rational unit normal, and other surfaces with a Pythagorean normal. Otherwise, or if common factors are not found by `common_factor()`, nothing.
 
 All that is known of rational surfaces can be done with it, also what is not supported for `Offset_surface_3`. Its degrees are as low as common factors of homogeneous coordinates allow, if the pieces then fit together.
 
