@@ -155,6 +155,12 @@ TEST(Locus_intersection_curves, contact_curves_of_rational_offsets)
   check_contact(SC::intersection_curves(pipe, SC::Implicit_surface_3(4 * x + 3 * y == 10)), false, on_line);
   // One pipe with the radius 3 next to the other one.
   check_contact(SC::intersection_curves(pipe, SC::Offset_surface_3(SC::cylinder_surface<K>(Point(4, 3, 0), Rational(2), Rational(3)), 1)), false, on_line);
+  // Along a break of a torus.
+  const SC::Offset_surface_3 torus(SC::torus_surface<K>(Point(0, 0, 0), Rational(3), Rational(1)), Rational(1, 2));
+  check_contact(SC::intersection_curves(torus, SC::Implicit_surface_3(2 * z == 3)), true, [](double x, double y, double z, const std::vector<double>&) {
+    EXPECT_NEAR(x * x + y * y, 9, 1e-11);
+    EXPECT_NEAR(z, 1.5, 1e-12);
+  });
   // A plane under the gutter: all four parameters are unknowns.
   check_contact(SC::intersection_curves(SC::Offset_surface_3(square_patch(-1), 1), gutter()), false, [](double x, double, double z, const std::vector<double>& u) {
     ASSERT_EQ(u.size(), 4u);
