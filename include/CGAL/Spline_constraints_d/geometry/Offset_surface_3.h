@@ -5,9 +5,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_OFFSET_SURFACE_3_H
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
@@ -24,12 +26,13 @@ namespace Spline_constraints {
 The offset of a surface: the points \f$S(u,v) + r\,N/|N|\f$ with the normal \f$N = S_u \times S_v\f$, at the signed distance \f$r\f$, on the side of \f$N\f$ if \f$r > 0\f$.
 
 A point \f$P\f$ is on it when \f$\langle P - S, S_u\rangle = \langle P - S, S_v\rangle = 0\f$, \f$|P-S|^2 = r^2\f$ and \f$r\,\langle P - S, N\rangle > 0\f$; otherwise as `Offset_curve_2`. The surface
-has to be regular and without edges inside: a sphere with its poles is refused. Cut it into such parts.
+has to be regular and without edges inside: a sphere with its poles is refused. Cut it into such parts. Where the offset is rational, `rational_offset()` is this surface.
 
 \cgalModels{Locus}
 */
 class Offset_surface_3
 {
+  Bspline_surface_3<internal::Exact_kernel> m_rational_surface;
   Spline_map<2, 3> m_surface;
   std::array<Spline_map<2, 3>, 2> m_derivatives;
   Exact_rational m_distance;
@@ -52,7 +55,8 @@ public:
   */
   template <ParametricSurface_3 Surface>
   Offset_surface_3(const Surface& surface, const typename Surface::Kernel::FT& distance)
-    : m_surface(surface), m_derivatives{derivative(m_surface, 0), derivative(m_surface, 1)}, m_distance(internal::converted_number<Exact_rational>(distance))
+    : m_rational_surface(Bspline_surface_3<internal::Exact_kernel>::from_homogeneous_coordinates(surface.homogeneous_coordinates(), surface.weight())), m_surface(surface),
+      m_derivatives{derivative(m_surface, 0), derivative(m_surface, 1)}, m_distance(internal::converted_number<Exact_rational>(distance))
   {
     if (m_distance == Exact_rational(0))
       throw Invalid_input("Offset_surface_3: the distance is zero");
@@ -61,6 +65,10 @@ public:
 
   //! the surface itself.
   const Spline_map<2, 3>& surface() const { return m_surface; }
+
+#ifndef DOXYGEN_RUNNING
+  const Bspline_surface_3<internal::Exact_kernel>& rational_surface() const { return m_rational_surface; }
+#endif
 
   //! the signed distance.
   const Exact_rational& distance() const { return m_distance; }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/Intersection_kind.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -52,6 +53,17 @@ struct Intersection_curve
   Intersection_kind kind() const { return multiplicity == 1 ? Intersection_kind::TRANSVERSAL : multiplicity > 1 ? Intersection_kind::TANGENT : Intersection_kind::UNDECIDED; }
 };
 
+namespace internal {
+
+// How often the points of arcs count, of which each has its own multiplicity; 0 if these differ.
+template <class Multiplicity>
+int common_multiplicity(const std::vector<Intersection_arc>& arcs, const Multiplicity& multiplicity)
+{
+  const int result = multiplicity(arcs.front());
+  return std::all_of(arcs.begin(), arcs.end(), [&](const Intersection_arc& arc) { return multiplicity(arc) == result; }) ? result : 0;
+}
+
+} // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
 

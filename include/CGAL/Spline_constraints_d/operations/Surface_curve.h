@@ -38,6 +38,7 @@ struct Surface_curve
   std::vector<Intersection_arc> arcs;        ///< between seams and poles; indices are those of curves in `Surface_curves_3::solutions(part)`
   bool is_closed;                            ///< whether the last arc ends where the first one begins
   std::optional<Constant_parameter> line{};  ///< of a curve along a break, a seam or an edge of the surface, which has no arcs and is not joined with other curves
+  int multiplicity = 1;                      ///< how often its points count in the equations, see `Curve_piece::multiplicity`; 0 if this is not known
 };
 
 } // namespace Spline_constraints

@@ -96,8 +96,10 @@ public:
     m_parts.push_back({std::move(system), std::move(solutions)});
     const Curve_solution_set_d& set = m_parts.back().solutions;
     const internal::Seam_joints joints(m_parts.back().system, set, joints_of_domain.closed_unknowns, joints_of_domain.poles);
-    for (Intersection_curve& curve : joints.curves())
-      m_curves.push_back({index, std::move(curve.arcs), curve.is_closed});
+    for (Intersection_curve& curve : joints.curves()) {
+      const int multiplicity = internal::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) { return set.curves()[arc.index].multiplicity(); });
+      m_curves.push_back({index, std::move(curve.arcs), curve.is_closed, {}, multiplicity});
+    }
     for (const std::size_t i : joints.points())
       m_points.push_back(set.vertices()[i]);
     for (const std::size_t i : set.singular_points())

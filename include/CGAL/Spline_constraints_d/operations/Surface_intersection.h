@@ -79,7 +79,7 @@ public:
     const internal::Joined_parts joined(m_parts);
     m_curves = joined.curves();
     for (Intersection_curve& curve : m_curves)
-      count_multiplicity(curve);
+      curve.multiplicity = internal::common_multiplicity(curve.arcs, [&](const Intersection_arc& arc) { return m_parts[arc.part].solutions.curves()[arc.index].multiplicity(); });
     m_pinch_points = joined.equal_pairs();
     m_unmatched = joined.unmatched();
     const auto add = [&](std::vector<Special_point>& list, Intersection_kind kind, const std::vector<internal::Part_vertex>& vertices) {
@@ -207,16 +207,6 @@ public:
   const Summary& summary() const { return m_summary; }
 
 private:
-  // That of all of its arcs.
-  void count_multiplicity(Intersection_curve& curve) const
-  {
-    const auto multiplicity = [&](const Intersection_arc& arc) { return m_parts[arc.part].solutions.curves()[arc.index].multiplicity(); };
-    curve.multiplicity = multiplicity(curve.arcs.front());
-    for (const Intersection_arc& arc : curve.arcs)
-      if (multiplicity(arc) != curve.multiplicity)
-        curve.multiplicity = 0;
-  }
-
   Special_point special_point(Intersection_kind kind, const internal::Part_vertex& point) const
   {
     const auto& [surfaces, solutions] = m_parts[point.part];

@@ -6,16 +6,23 @@
 
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/Parametric_locus.h>
+#include <CGAL/Spline_constraints_d/geometry/Offset_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/geometry/rational_offset.h>
 #include <CGAL/Spline_constraints_d/operations/Surface_curves_3.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Locus_system.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -104,6 +111,36 @@ private:
   }
 };
 
+// A rational or implicit surface; also an offset, if it is rational.
+template <class Surface>
+std::optional<Surface_shape> rational_shape(const Surface& surface)
+{
+  if constexpr (std::same_as<Surface, Offset_surface_3>) {
+    const auto rational = rational_offset(surface);
+    return rational ? std::optional(surface_shape(*rational)) : std::nullopt;
+  } else if constexpr (Procedural_surface<Surface>)
+    return std::nullopt;
+  else
+    return surface_shape(surface);
+}
+
+// The curves of two surfaces, if both are rational, or implicit without an end within the other one, so that parameters are all unknowns.
+template <SplineKernel Kernel, class A, class B>
+std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, const Solver_options& options)
+{
+  const std::optional<Surface_shape> first = rational_shape(a), second = first ? rational_shape(b) : std::nullopt;
+  if (!second)
+    return std::nullopt;
+  Surface_equations equations(*first, *second, Unknowns_of_surfaces::ALL_PARAMETERS);
+  if (equations.has_coordinates())
+    return std::nullopt;
+  Solved_part part = common_curves(std::move(equations), options);
+  Surface_curves_3<Kernel> result([surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
+  if (part.surfaces.has_system())
+    result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), {}});
+  return result;
+}
+
 } // namespace internal
 
 /*!
@@ -114,7 +151,10 @@ all curves that two surfaces have in common, of which one at least is procedural
 The constraints are those of `intersections()` with such operands, one less than there are unknowns: an offset and an implicit surface have three, its parameters and the length of the normal; an offset and another parametric or procedural surface the four parameters, and one auxiliary one if both are procedural.
 The unknowns of the result are the parameters of the first surface, those of the second one, then auxiliary ones. Curves are joined across the seams of closed surfaces.
 
-What touches is a singular point if it is proved to be one, with at most four unknowns; where surfaces coincide the answer is undecided. Curves along an edge or a seam are not supported.
+An offset that has a `rational_offset()` is taken as this rational surface, with the same parameters and no auxiliary unknown, if the other surface is such an offset too, parametric, or implicit with a box that the offset does not leave. Then all is decided as by the function for such surfaces, and contact curves are found where that
+finds them: `Surface_curve::multiplicity` is at least two.
+
+Otherwise, what touches is a singular point if it is proved to be one, with at most four unknowns; curves of contact are undecided, and curves along an edge or a seam are not supported. Where surfaces coincide the answer is undecided.
 
 \tparam A,B a model of `Locus` with two parameters, as `Offset_surface_3`; the other one too, or a model of `ParametricSurface_3`, or `Implicit_surface_3`. The result has the kernel of the parametric surface, else `CGAL::Simple_cartesian<double>`.
 \param a the first surface.
@@ -129,8 +169,11 @@ template <class A, class B>
 Surface_curves_3<internal::Kernel_of_loci<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();
+  using Kernel = internal::Kernel_of_loci<A, B>;
+  if (auto curves = internal::rational_curves<Kernel>(a, b, options))
+    return std::move(*curves);
   const internal::Locus_pair pair(a, b);
-  Surface_curves_3<internal::Kernel_of_loci<A, B>> result([pair](const std::vector<double>& unknowns) { return pair.point(unknowns); });
+  Surface_curves_3<Kernel> result([pair](const std::vector<double>& unknowns) { return pair.point(unknowns); });
   if (pair.system().is_void())
     return result;
   Constraint_system_d system = make_system(pair.system().constraints());

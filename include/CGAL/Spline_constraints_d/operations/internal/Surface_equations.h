@@ -22,6 +22,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// Whether the parameters of one of two height fields are left out, as functions of those of the other one.
+enum class Unknowns_of_surfaces { FEWEST, ALL_PARAMETERS };
+
 /*
 The equations of the common points of two surfaces, in as few unknowns as there are simple ones:
 
@@ -45,11 +48,11 @@ class Surface_equations
 
 public:
   //! \throws Invalid_input when both surfaces are implicit and their boxes have no more than a face in common.
-  Surface_equations(Surface_shape first, Surface_shape second) : m_surfaces{std::move(first), std::move(second)}
+  Surface_equations(Surface_shape first, Surface_shape second, Unknowns_of_surfaces unknowns = Unknowns_of_surfaces::FEWEST) : m_surfaces{std::move(first), std::move(second)}
   {
     if (are_apart())
       return;
-    const std::optional<Height_difference> heights = height_difference();
+    const std::optional<Height_difference> heights = unknowns == Unknowns_of_surfaces::FEWEST ? height_difference() : std::nullopt;
     if (heights) {
       m_parameters = heights->parameters;
       m_domain = heights->domain;
@@ -69,6 +72,9 @@ public:
 
   // Whether the unknowns are the parameters of two parametric surfaces, each of which has its own.
   bool has_all_parameters() const { return is_parametric(0) && is_parametric(1) && m_domain.size() == 4 && !m_is_self_intersection; }
+
+  // Whether coordinates in space are unknowns, too.
+  bool has_coordinates() const { return m_has_coordinates; }
 
   // Whether some boxes around the surfaces do not meet. There is no system then.
   bool has_system() const { return m_system.has_value(); }

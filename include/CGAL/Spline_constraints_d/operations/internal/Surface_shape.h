@@ -47,7 +47,7 @@ struct Surface_shape
   }
 
   // A box that has all points; none of an unbounded surface.
-  std::optional<Vector_bounds<3>> bounds() const { return patch ? std::optional(patch->values()) : box; }
+  std::optional<Vector_bounds<3>> bounds() const { return !patch ? box : is_in_hull() ? hull_of_control_points() : patch->values(); }
 
   // Whether its zeros in other bounds are not all points of the surface.
   bool ends_within(const Vector_bounds<3>& other) const
@@ -69,6 +69,23 @@ struct Surface_shape
     }
     const double weight = patch->is_rational() ? rounded[3](parameters) : 1;
     return {rounded[0](parameters) / weight, rounded[1](parameters) / weight, rounded[2](parameters) / weight};
+  }
+
+private:
+  // Whether all control weights are positive.
+  bool is_in_hull() const { return patch->is_rational() && patch->weight().bounds().first > 0; }
+
+  Vector_bounds<3> hull_of_control_points() const
+  {
+    const std::vector<Exact_rational>& weights = patch->weight().coefficients();
+    Vector_bounds<3> result;
+    for (int i = 0; i < 3; ++i) {
+      std::vector<Exact_rational> coordinates;
+      for (std::size_t k = 0; k < weights.size(); ++k)
+        coordinates.emplace_back(patch->numerators()[i].coefficients()[k] / weights[k]);
+      result[i] = Rational_interval(least_and_greatest(coordinates));
+    }
+    return result;
   }
 };
 
