@@ -145,6 +145,8 @@ public:
   joins points by chords, their coordinates rounded by a fiftieth of a pixel at most: short numbers for what has many points.
   \param points a range of points: of a kernel, or arrays or vectors of coordinates, or samples whose member `point` is one of these, as polylines of bisectors, diagrams and curves of solutions
          have them. Of one point nothing is seen.
+  \param color of SVG.
+  \param width of the stroke, in pixels.
   */
   template <std::ranges::forward_range Range>
   void polyline(const Range& points, const std::string& color = "black", double width = 1.5)
