@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -96,21 +97,68 @@ TEST(Contact_points, TangentPlanesOfABicubic)
   }
 }
 
-// Graphs over the unit square that touch in one point; with irrational parameters that would stay undecided.
+using Function = SC::Bspline_function<FT>;
+
+Function polynomial(const std::vector<int>& degrees, const std::vector<FT>& power)
+{
+  return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power), std::vector<Range>(2, Range(0, 1)));
+}
+
+const Function u = polynomial({1, 0}, {0, 1}), v = polynomial({0, 1}, {0, 1}), one = polynomial({0, 0}, {1});
+
+Surface graph(const Function& height) { return Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, height}, one); }
+
+// Graphs over the unit square that touch in one point.
 TEST(Contact_points, CurvedSurfaces)
 {
-  using Function = SC::Bspline_function<FT>;
-  const auto polynomial = [](const std::vector<int>& degrees, const std::vector<FT>& power) {
-    return Function::from_tensor(SC::Bernstein_tensor<FT>::from_power(degrees, power), std::vector<Range>(2, Range(0, 1)));
-  };
-  const Function u = polynomial({1, 0}, {0, 1}), v = polynomial({0, 1}, {0, 1}), one = polynomial({0, 0}, {1});
-  const auto graph = [&](const Function& height) { return Surface::from_homogeneous_coordinates({u + v * FT(0), u * FT(0) + v, height}, one); };
   const Surface lower = graph(u * u - v * v), upper = graph(u * u - v * v + (u - ratio(1, 3)) * (u - ratio(1, 3)) + (v - ratio(2, 5)) * (v - ratio(2, 5)));
   expect_one_contact(SC::contact_points(lower, upper), {1. / 3, 2. / 5, 1. / 9 - 4. / 25});
   const auto apart = SC::contact_points(lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-30)))));
   EXPECT_TRUE(apart.is_complete() && apart.empty()) << apart.summary();
   const auto crossing = SC::contact_points(lower, upper.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, -FT(1e-3)))));
   EXPECT_TRUE(crossing.is_complete() && crossing.empty()) << crossing.summary();
+}
+
+// Two surfaces of straight lines touch where x^2 = 1/2: their intersection is the line y = 1/2 and a curve that crosses it there.
+TEST(Contact_points, RuledSurfacesAtIrrationalParameters)
+{
+  const Function w = v - one * ratio(1, 2);
+  const Surface a = graph((u * u - one * ratio(1, 2)) * w), b = graph(w * w * (u + one));
+  expect_one_contact(SC::contact_points(a, b), {std::sqrt(0.5), 0.5, 0});
+  const auto apart = SC::contact_points(a, b.transformed(CGAL::Aff_transformation_3<K>(CGAL::TRANSLATION, Vector(0, 0, FT(1e-20)))));
+  EXPECT_TRUE(apart.is_complete() && apart.empty()) << apart.summary();
+}
+
+// Patches that end at each other, on both sides of the edge (u, 0, u^2): parts of one surface touch along it, others where their directions across, (0, 1, 0) and (0, 1, 2 u^2 - 1), are the same.
+TEST(Contact_points, SharedEdges)
+{
+  const auto patch = [](int side, bool is_bent, bool is_reversed) {
+    const FT y(side), bend(is_bent ? side : 0);
+    std::vector<Point> edge{{0, 0, 0}, Point(ratio(1, 2), 0, 0), {1, 0, 1}}, end{Point(0, y, -bend), Point(ratio(1, 2), y, -bend), Point(1, y, 1 + bend)};
+    if (is_reversed) {
+      std::reverse(edge.begin(), edge.end());
+      std::reverse(end.begin(), end.end());
+    }
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 3; ++i)
+      points.insert(points.end(), {edge[i], end[i]});
+    return Surface({2, 1}, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, points);
+  };
+  for (bool is_reversed : {false, true}) {
+    const auto smooth = SC::contact_points(patch(-1, false, false), patch(1, false, is_reversed));
+    EXPECT_TRUE(smooth.is_complete()) << smooth.summary();
+    ASSERT_EQ(smooth.size(), 1u);
+    EXPECT_EQ(smooth[0].kind(), Intersection_kind::OVERLAP);
+    for (std::size_t k : {0, 1}) {
+      EXPECT_EQ(smooth[0].parameter_range(k, 0), Range(0, 1));
+      EXPECT_EQ(smooth[0].parameter_range(k, 1), Range(0, 0));
+    }
+    const auto touching = SC::contact_points(patch(-1, false, false), patch(1, true, is_reversed));
+    expect_one_contact(touching, {std::sqrt(0.5), 0, 0.5});
+    const auto [lower, upper] = touching[0].parameter_range(0, 0);
+    EXPECT_TRUE(2 * lower * lower < 1 && 1 < 2 * upper * upper);
+    EXPECT_EQ(touching[0].parameter_range(1, 1), Range(0, 0));
+  }
 }
 
 // Spheres that touch at poles of both: the contact is proved, but that there is no other one near is not.

@@ -268,6 +268,43 @@ TEST(Curve_intersections, NearlyTheSameCurves)
   EXPECT_TRUE(moved.empty());
 }
 
+// y = x^2 and y = x^2 + tiny x (2 x^2 - 1) begin together in nearly the same direction and cross soon after at a very small angle; the whole box that the solver leaves is settled by elimination.
+TEST(Curve_intersections, CrossingsAtSmallAngles)
+{
+  const Epeck::FT third = Epeck::FT(1) / 3;
+  const auto graph = [&](const Epeck::FT& tiny) { return SC::bezier_curve(std::vector<Epeck::Point_2>{{0, 0}, {third, -tiny * third}, {2 * third, third - 2 * third * tiny}, {1, 1 + tiny}}); };
+  for (int digits : {3, 9, 40}) {
+    Exact_rational tiny(1);
+    for (int i = 0; i < digits; ++i)
+      tiny /= 10;
+    const auto intersections = SC::intersections(graph(0), graph(tiny), {.node_limit = 10});
+    EXPECT_TRUE(intersections.is_complete()) << digits << ' ' << intersections.summary();
+    ASSERT_EQ(intersections.size(), 2u);
+    EXPECT_TRUE(intersections[0].is_at_end(0) && intersections[0].is_at_end(1));
+    EXPECT_EQ(intersections[1].kind(), Intersection_kind::TRANSVERSAL);
+    EXPECT_EQ(intersections[1].multiplicity(), 1);
+    for (std::size_t k : {0, 1}) {
+      const auto [lower, upper] = intersections[1].parameter_range(k);
+      EXPECT_TRUE(lower < upper && 2 * lower * lower < 1 && 1 < 2 * upper * upper);
+      EXPECT_NEAR(intersections[1].parameter(k), std::sqrt(0.5), 1e-9);
+    }
+  }
+}
+
+// Quarters of a disk, one turned by an angle with the cosine 3/5: their arcs overlap up to the corner of the first one, where its straight side begins.
+TEST(Curve_intersections, OverlapOfArcsUpToACorner)
+{
+  const Epeck::FT half = Epeck::FT(1) / 2;
+  const SC::Bspline_curve_2<Epeck> quarter(2, {0, 0, 0, 1, 1, 2, 2, 2}, {{1, 0}, {1, 1}, {0, 1}, {0, half}, {0, 0}}, {1, 1, 2, 2, 2});
+  const auto turned = quarter.transformed(CGAL::Aff_transformation_2<Epeck>(3, -4, 4, 3, 5));
+  const auto intersections = SC::intersections(quarter, turned);
+  EXPECT_TRUE(intersections.is_complete()) << intersections.summary();
+  EXPECT_EQ(intersections.count(Intersection_kind::OVERLAP), 1u);
+  EXPECT_EQ(intersections.size(), 2u);
+  for (const auto& x : intersections)
+    EXPECT_TRUE(x.kind() == Intersection_kind::OVERLAP || (x.is_at_end(0) && x.is_at_end(1) && x.point() == Epeck::Point_2(0, 0)));
+}
+
 // Pieces of one circle: where two of them meet on both curves, a common factor has a zero of its own that belongs to the overlap.
 TEST(Curve_intersections, OverlapAcrossABreak)
 {

@@ -50,9 +50,9 @@ TEST(Ray_traps_2, CommonNormalsOfCircles)
   const std::vector<Curve> circles{SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(5, 0), K::Point_2(5, 2))};
   const auto result = SC::ray_traps(circles);
   EXPECT_TRUE(result.summary.is_complete) << result.summary;
-  ASSERT_EQ(result.traps.size(), 4u);
+  ASSERT_EQ(result.size(), 4u);
   std::vector<double> lengths;
-  for (const auto& trap : result.traps) {
+  for (const auto& trap : result) {
     EXPECT_TRUE(trap.solution().is_certified());
     lengths.push_back(std::round(length(trap.points()) * 1e9) / 1e9);
   }

@@ -53,7 +53,7 @@ void check_apollonius(const std::vector<K::Point_2>& centers, const std::vector<
   EXPECT_TRUE(result.summary.is_complete) << result.summary;
   EXPECT_EQ(result.circles.size(), 8u);
   std::vector<std::vector<bool>> sides;
-  for (const auto& circle : result.circles) {
+  for (const auto& circle : result) {
     EXPECT_TRUE(circle.solution().is_certified());
     sides.push_back(touched_from_outside(circle, centers, radii));
     const bool is_outside = sides.back() == std::vector<bool>{true, true, true};
@@ -143,7 +143,7 @@ TEST(Tangent_circles_2, PlantedCircles)
     const auto result = SC::tangent_circles(curves[0], curves[1], curves[2]);
     EXPECT_TRUE(result.summary.is_complete) << result.summary;
     std::size_t planted = 0;
-    for (const auto& circle : result.circles) {
+    for (const auto& circle : result) {
       if (holds(circle.contact(0).parameter_range(), parameters[0]) && holds(circle.contact(1).parameter_range(), parameters[1]) && holds(circle.contact(2).parameter_range(), parameters[2])) {
         ++planted;
         EXPECT_TRUE(holds(circle.center_range(0), Exact_rational(center.x().exact())) && holds(circle.center_range(1), Exact_rational(center.y().exact())));
@@ -179,7 +179,7 @@ TEST(Tangent_circles_2, AnyOrder)
     for (std::size_t first = 0; first < 3; ++first) {
       const auto result = SC::tangent_circles(curves[first], curves[(first + 1) % 3], curves[(first + 2) % 3]);
       EXPECT_TRUE(result.summary.is_complete) << round << ' ' << result.summary;
-      for (const auto& circle : result.circles) {
+      for (const auto& circle : result) {
         answers[first].emplace_back(circle.radius(), circle.emptiness());
         double nearest = 1e300;
         for (const Curve& curve : curves)

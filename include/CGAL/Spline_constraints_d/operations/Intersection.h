@@ -96,7 +96,7 @@ public:
   int multiplicity() const { return m_common.solution ? m_common.solution->multiplicity() : m_common.kind == Intersection_kind::TRANSVERSAL ? 1 : 0; }
 
   //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or those of one operand, if the points of the other one are affine in its parameters:
-  //! a point, a segment, a parallelogram. None without unknowns, at poles that were found otherwise, and at breaks of planar curves where elimination decided what the solver did not.
+  //! a point, a segment, a parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of surfaces or of ruled ones.
   const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
 
 private:

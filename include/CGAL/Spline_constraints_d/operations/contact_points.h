@@ -27,8 +27,9 @@ the surfaces over the common tangent plane has a regular Hessian matrix, in an e
 
 A pole touches a surface if the tangents of all directions there are in one plane, and this is the tangent plane. The apex of a cone has none.
 
-Contacts with a plane are decided by exact signs, also at irrational parameters. Between two curved surfaces, contacts at irrational parameters are beyond the bounds that this takes: they stay `UNDECIDED`, with the reason
-`OVERDETERMINED`; so is what is near a pole that lies on the other surface, and curves of contacts.
+Contacts with a plane are decided by exact signs, also at irrational parameters. Where both surfaces end at a common edge, with proportional parameters, and lead away from it to different sides, the contacts are those of the edge, decided as in one unknown; all of it
+is an `OVERLAP` if the surfaces go on smoothly. Between polynomial pieces that are linear in a parameter each, and whose lines are not parallel, they are decided as in two unknowns. Other contacts of curved surfaces at irrational parameters are
+beyond the bounds that this takes: they stay `UNDECIDED`, with the reason `OVERDETERMINED`; so is what is near a pole that lies on the other surface, and curves of contacts elsewhere.
 
 \tparam A,B models of `ParametricSurface_3`, or `CGAL::Sphere_3`, `CGAL::Triangle_3`, or one of them `CGAL::Plane_3`, of the same kernel. Points of the result are those of `A`.
 \param a the first surface.

@@ -57,6 +57,13 @@ struct Ray_traps_2
 
   //! whether there are no others, by proof, and none is undecided; and the work of the solver.
   Summary summary;
+
+  //! @{ the same as `traps`.
+  auto begin() const { return traps.begin(); }
+  auto end() const { return traps.end(); }
+  std::size_t size() const { return traps.size(); }
+  bool empty() const { return traps.empty(); }
+  //! @}
 };
 
 namespace internal {

@@ -109,6 +109,13 @@ struct Tangent_circles_2
   {
     return std::count_if(circles.begin(), circles.end(), [=](const auto& circle) { return circle.emptiness() == emptiness; });
   }
+
+  //! @{ the same as `circles`.
+  auto begin() const { return circles.begin(); }
+  auto end() const { return circles.end(); }
+  std::size_t size() const { return circles.size(); }
+  bool empty() const { return circles.empty(); }
+  //! @}
 };
 
 namespace internal {

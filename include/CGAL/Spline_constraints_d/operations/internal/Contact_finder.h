@@ -8,10 +8,12 @@
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/settle_undecided_contacts.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -188,8 +190,12 @@ private:
       constraints.push_back(dot(equations.tangent(0, axis, u), normal) == 0);
     for (const std::size_t operand : {0, 1})
       exclude_poles(pieces[operand], std::span(u).subspan(2 * operand, 2), constraints);
+    std::vector<Common_point> points;
     for (const Solution& solution : m_solve(constraints, u))
-      add(kind_of(solution), equations.all_parameters(solution.exact_box()), solution);
+      points.push_back({kind_of(solution), equations.all_parameters(solution.exact_box()), std::vector<bool>(4, false), solution, false});
+    if (std::any_of(points.begin(), points.end(), [](const Common_point& point) { return point.kind == Intersection_kind::UNDECIDED; }) && !m_solve.is_out_of_time())
+      settle_undecided_contacts(Shared_edges(m_pair), {pieces[0].patch, pieces[1].patch}, is_open, points, m_solve);
+    std::move(points.begin(), points.end(), std::back_inserter(m_result));
   }
 
   // In coordinates in which the plane is z = 0, with the numerator of z and its derivatives. In the place of z stands z + z_u, for the gradient of z vanishes where all are zero.

@@ -6,8 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
 #include <CGAL/Spline_constraints_d/function/internal/univariate_polynomial.h>
+#include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/internal/elimination_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/inner_roots.h>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +33,13 @@ inline bool is_part_of(const Parameter_box& box, const Parameter_box& outer)
   return true;
 }
 
+// A box of parameters that has one common point, a crossing in a smaller box, or none.
+struct Settled_part
+{
+  Parameter_box box;
+  std::optional<Parameter_box> crossing;
+};
+
 /*
 Two curves, for proofs that a box of their parameters holds no common points but known ones: the box is cut at breaks and at these points, then into quarters, and each part is looked at.
 */
@@ -40,12 +49,18 @@ class Curve_parts
   using Cells = std::array<std::size_t, 2>;
 
   const Patch_pair<d>& m_pair;
+  std::vector<Parameter_box> m_overlaps;
   std::array<std::vector<Exact_rational>, 2> m_breaks;
   std::map<Cells, std::array<std::optional<Exact_function>, 2>> m_eliminated;   // of the parameters of the first and the second curve, on their cells
 
 public:
-  // \pre the operands are curves.
-  explicit Curve_parts(const Patch_pair<d>& pair) : m_pair(pair), m_breaks{pair[0].breaks(0), pair[1].breaks(0)} {}
+  // With the overlaps among what is known. \pre the operands are curves.
+  Curve_parts(const Patch_pair<d>& pair, const std::vector<Common_point>& points) : m_pair(pair), m_breaks{pair[0].breaks(0), pair[1].breaks(0)}
+  {
+    for (const Common_point& point : points)
+      if (point.kind == Intersection_kind::OVERLAP)
+        m_overlaps.push_back(point.parameters);
+  }
 
   // The common points in a box that are breaks of both curves.
   std::vector<Exact_parameters> common_breaks(const Parameter_box& box) const
@@ -74,12 +89,28 @@ public:
     return result;
   }
 
-  // Whether all common points in a box are given ones, with both parameters or one, or belong to an overlap, where there is one.
-  bool holds_only(const Parameter_box& box, const std::vector<Exact_parameters>& points, const Parameter_box* overlap = nullptr, const std::vector<Parameter_box>& ranges = {})
+  /*
+  Parts of a box in which all common points are known: one crossing, or none. Each is a range of the first parameter around a simple zero of the eliminated polynomial, with the range of the second one inside of a cell.
+  */
+  std::vector<Settled_part> parts_at_simple_zeros(const Parameter_box& box)
+    requires (d == 2)
   {
-    const auto is_known = [&](const Parameter_box& part) { return (overlap && is_part_of(part, *overlap)) || leads_apart_from_one(part, points); };
+    std::vector<Settled_part> result;
+    if (has_few_cells(box))
+      for (const Parameter_range& t : parts(box[0], m_breaks[0]))
+        for (const Parameter_range& s : parts(box[1], m_breaks[1]))
+          if (t.first < t.second && s.first < s.second)
+            for (Settled_part& part : parts_at_simple_zeros(t, s))
+              result.push_back(std::move(part));
+    return result;
+  }
+
+  // Whether all common points in a box are given ones, with both parameters or in some parts, or belong to an overlap, where there is one.
+  bool holds_only(const Parameter_box& box, const std::vector<Exact_parameters>& points, const Parameter_box* overlap = nullptr, const std::vector<Parameter_box>& known = {})
+  {
+    const auto is_known = [&](const Parameter_box& part) { return (overlap && is_part_of(part, *overlap)) || is_part_of_any(part, known) || leads_apart_from_one(part, points); };
     const auto is_settled = [&](const auto& self, const Parameter_box& part, int depth) -> bool {
-      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points, ranges) || is_in_overlap(part))
+      if (is_known(part) || are_apart(part) || is_settled_by_elimination(part, points, known) || is_in_overlap(part, points))
         return true;
       return depth > 0 && all_parts(part, {Exact_parameters{middle_of(part[0])}, Exact_parameters{middle_of(part[1])}}, [&](const Parameter_box& quarter) { return self(self, quarter, depth - 1); });
     };
@@ -87,7 +118,7 @@ public:
       constexpr int depth = 6;
       return has_few_cells(part) && all_parts(part, m_breaks, [&](const Parameter_box& piece) { return is_settled(is_settled, piece, depth); });
     };
-    return all_parts(box, {parameters(points, 0), parameters(points, 1)}, [&](const Parameter_box& part) { return is_known(part) || is_settled_between_breaks(part); });
+    return all_parts(box, {cuts(points, known, 0), cuts(points, known, 1)}, [&](const Parameter_box& part) { return is_known(part) || is_settled_between_breaks(part); });
   }
 
 private:
@@ -114,12 +145,70 @@ private:
   bool may_run_along(std::size_t k, std::size_t cell, const Parameter_box& box)
     requires (d == 2)
   {
-    if (!(cell < m_breaks[k].size() - 1))
-      return false;
-    Cells cells{cell, cell};
-    cells[1 - k] = cell_of(1 - k, box[1 - k]);
-    const std::optional<Exact_function>& f = eliminated(cells)[k];
-    return !f || std::all_of(f->coefficients().begin(), f->coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    return cell < m_breaks[k].size() - 1 && lies_on(k, cell, cell_of(1 - k, box[1 - k])).value_or(true);
+  }
+
+  // \pre The ranges are inside of cells.
+  std::vector<Settled_part> parts_at_simple_zeros(const Parameter_range& t, const Parameter_range& s)
+    requires (d == 2)
+  {
+    const Cells cells{cell_of(0, t), cell_of(1, s)};
+    const std::optional<Exact_function>& all = eliminated(cells)[0];
+    if (!all)
+      return {};
+    const Exact_function f = all->restricted(0, t.first, t.second), slope = f.derivative(0);
+    const Exact_rational begin = m_breaks[1][cells[1]], length(m_breaks[1][cells[1] + 1] - begin);
+    std::vector<std::array<Exact_function, 2>> quotients;
+    std::vector<Settled_part> result;
+    for (Exact_root& root : inner_roots(Bernstein_tensor<Exact_rational>({f.degree(0)}, f.coefficients()), power_of_two(-16))) {
+      if (quotients.empty())
+        quotients = parameter_quotients(piece(0, cells[0]), piece(1, cells[1]));
+      constexpr int most_bits = 512;
+      for (int bits = 32; bits <= most_bits; bits *= 2) {
+        const Parameter_range around = range_around(root, power_of_two(-bits), t);
+        if (!has_one_sign(range_of(slope, around)))
+          continue;
+        const std::optional<Rational_interval> partner = range_of_quotient(quotients, around);
+        if (!partner)
+          continue;
+        const Parameter_range other{Exact_rational(begin + length * partner->lower), Exact_rational(begin + length * partner->upper)};
+        const bool is_inside = s.first < other.first && other.second < s.second;
+        if (!is_inside && !(other.second < s.first || s.second < other.first))
+          continue;
+        result.push_back({{around, s}, is_inside ? std::optional(Parameter_box{around, other}) : std::nullopt});
+        break;
+      }
+    }
+    return result;
+  }
+
+  // Around a root in (0,1), within the range that stands for [0,1].
+  static Parameter_range range_around(Exact_root& root, const Exact_rational& width, const Parameter_range& range)
+  {
+    narrow(root, width);
+    const Exact_rational length(range.second - range.first), margin(root.is_point() ? width : Exact_rational(0));
+    const auto value = [&](const Exact_rational& x) { return Exact_rational(range.first + length * x); };
+    return {value((std::max)(Exact_rational(root.lower() - margin), Exact_rational(0))), value((std::min)(Exact_rational(root.upper() + margin), Exact_rational(1)))};
+  }
+
+  static Rational_interval range_of(const Exact_function& f, const Parameter_range& range)
+  {
+    const Exact_function part = f.restricted(0, range.first, range.second);
+    const auto [least, greatest] = std::minmax_element(part.coefficients().begin(), part.coefficients().end());
+    return {*least, *greatest};
+  }
+
+  static bool has_one_sign(const Rational_interval& x) { return x.lower > 0 || x.upper < 0; }
+
+  // Of the first one that has a divisor of one sign.
+  static std::optional<Rational_interval> range_of_quotient(const std::vector<std::array<Exact_function, 2>>& quotients, const Parameter_range& range)
+  {
+    for (const auto& [dividend, divisor] : quotients)
+      if (const Rational_interval by = range_of(divisor, range); has_one_sign(by)) {
+        const Exact_rational sign(by.lower > 0 ? 1 : -1);
+        return range_of(dividend * sign, range) / range_of(divisor * sign, range);
+      }
+    return std::nullopt;
   }
 
   // The parts of a box between some values of the parameters.
@@ -147,11 +236,18 @@ private:
 
   static bool is_end(const Exact_rational& x, const Parameter_range& range) { return x == range.first || x == range.second; }
 
-  static std::vector<Exact_rational> parameters(const std::vector<Exact_parameters>& points, std::size_t curve)
+  static bool is_part_of_any(const Parameter_box& box, const std::vector<Parameter_box>& others)
+  {
+    return std::any_of(others.begin(), others.end(), [&](const Parameter_box& other) { return is_part_of(box, other); });
+  }
+
+  static std::vector<Exact_rational> cuts(const std::vector<Exact_parameters>& points, const std::vector<Parameter_box>& parts, std::size_t curve)
   {
     std::vector<Exact_rational> result;
     for (const Exact_parameters& point : points)
       result.push_back(point[curve]);
+    for (const Parameter_box& part : parts)
+      result.insert(result.end(), {part[curve].first, part[curve].second});
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -195,7 +291,7 @@ private:
   }
 
   // Each parameter can have no values but ends of the part, and where both have such, there are known points or none.
-  bool is_settled_by_elimination(const Parameter_box& part, const std::vector<Exact_parameters>& points, const std::vector<Parameter_box>& ranges)
+  bool is_settled_by_elimination(const Parameter_box& part, const std::vector<Exact_parameters>& points, const std::vector<Parameter_box>& known)
   {
     if constexpr (d == 2) {
       std::array<Zero_places, 2> zeros;
@@ -217,7 +313,7 @@ private:
           return !zeros[k].elsewhere && std::all_of(ends.begin(), ends.end(), [&](const Exact_rational& end) {
             Parameter_box face = part;
             face[k] = {end, end};
-            return is_end_of_overlap(part, k, end) || std::any_of(ranges.begin(), ranges.end(), [&](const Parameter_box& range) { return is_part_of(face, range); });
+            return is_end_of_overlap(part, k, end, points) || is_part_of_any(face, known) || leads_apart_from_one(face, points);
           });
         };
         return has_known_ends(0) || has_known_ends(1);
@@ -231,35 +327,67 @@ private:
     return false;
   }
 
-  // Whether all common points in a part belong to overlaps of straight pieces, which are answers themselves.
-  bool is_in_overlap(const Parameter_box& part) const
+  // Whether all common points in a part belong to known overlaps of lines or conics.
+  bool is_in_overlap(const Parameter_box& part, const std::vector<Exact_parameters>& points)
   {
     if constexpr (d == 2)
-      return runs_along(0, cell_of(0, part[0]), part) || runs_along(1, cell_of(1, part[1]), part);
+      return runs_along(0, cell_of(0, part[0]), part, points) || runs_along(1, cell_of(1, part[1]), part, points);
     return false;
   }
 
   // The same for those at an end of the range of one curve, where the overlap ends.
-  bool is_end_of_overlap(const Parameter_box& part, std::size_t k, const Exact_rational& end) const
+  bool is_end_of_overlap(const Parameter_box& part, std::size_t k, const Exact_rational& end, const std::vector<Exact_parameters>& points)
     requires (d == 2)
   {
     const std::size_t cell = cell_of(k, part[k]);
-    return (end == m_breaks[k][cell] && cell > 0 && runs_along(k, cell - 1, part)) || (end == m_breaks[k][cell + 1] && cell + 2 < m_breaks[k].size() && runs_along(k, cell + 1, part));
+    return (end == m_breaks[k][cell] && cell > 0 && runs_along(k, cell - 1, part, points)) || (end == m_breaks[k][cell + 1] && cell + 2 < m_breaks[k].size() && runs_along(k, cell + 1, part, points));
   }
 
-  // Whether a cell of one curve lies on the line of the straight piece of the other one that a part is inside of, without a point twice: next to each common point in the part there are others.
-  bool runs_along(std::size_t k, std::size_t cell, const Parameter_box& part) const
+  /*
+  Whether a known overlap holds the common points of a part with a cell of one curve, as this lies on the line or conic of the piece of the other one that the part is in: next to each common point inside of this piece there are
+  others, for it passes through it on a smooth curve. At its ends, only a given point may be.
+  */
+  bool runs_along(std::size_t k, std::size_t cell, const Parameter_box& part, const std::vector<Exact_parameters>& points)
     requires (d == 2)
   {
-    const Spline_patch<2> straight = piece(1 - k, cell_of(1 - k, part[1 - k]));
-    const auto [begin, end] = straight.domain(0);
-    const auto a = straight(Exact_parameters{begin}), b = straight(Exact_parameters{end});
-    const Exact_rational dx(b[0] - a[0]), dy(b[1] - a[1]), offset(a[0] * dy - a[1] * dx);
-    const auto is_on_chord = [&](const Spline_patch<2>& curve) {
-      const Exact_function distance = curve.numerators()[1] * dx - curve.numerators()[0] * dy + curve.weight() * offset;
-      return std::all_of(distance.coefficients().begin(), distance.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+    const std::size_t other = cell_of(1 - k, part[1 - k]);
+    const auto is_known_at = [&](const Exact_rational& end) {
+      Parameter_box face = part;
+      face[1 - k] = {end, end};
+      return end < part[1 - k].first || part[1 - k].second < end || leads_apart_from_one(face, points);
     };
-    return begin < part[1 - k].first && part[1 - k].second < end && a != b && is_on_chord(straight) && is_on_chord(piece(k, cell)) && squared_norm(m_pair[1 - k].part(0, part[1 - k]).tangents(0)).lower > 0;
+    Parameter_box common = part;
+    common[k] = {(std::max)(part[k].first, m_breaks[k][cell]), (std::min)(part[k].second, m_breaks[k][cell + 1])};
+    const bool is_inside = is_known_at(m_breaks[1 - k][other]) && is_known_at(m_breaks[1 - k][other + 1]);
+    return is_inside && is_part_of_any(common, m_overlaps) && is_on_line_or_conic(piece(1 - k, other)) && has_length(k, cell) && lies_on(k, cell, other).value_or(false) && squared_norm(m_pair[1 - k].part(0, part[1 - k]).tangents(0)).lower > 0;
+  }
+
+  static bool is_on_line_or_conic(const Spline_patch<2>& piece)
+    requires (d == 2)
+  {
+    if (power_coefficients(piece).size() <= 3)
+      return true;
+    const auto [begin, end] = piece.domain(0);
+    const auto a = piece(Exact_parameters{begin}), b = piece(Exact_parameters{end});
+    const Exact_rational dx(b[0] - a[0]), dy(b[1] - a[1]), offset(a[0] * dy - a[1] * dx);
+    return a != b && is_zero(piece.numerators()[1] * dx - piece.numerators()[0] * dy + piece.weight() * offset);
+  }
+
+  static bool is_zero(const Exact_function& f)
+  {
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Exact_rational& x) { return x == 0; });
+  }
+
+  bool has_length(std::size_t k, std::size_t cell) const { return m_pair[k](Exact_parameters{m_breaks[k][cell]}) != m_pair[k](Exact_parameters{m_breaks[k][cell + 1]}); }
+
+  // Whether a cell of one curve is on the algebraic curve of a cell of the other one, if that is known.
+  std::optional<bool> lies_on(std::size_t k, std::size_t cell, std::size_t other)
+    requires (d == 2)
+  {
+    Cells cells{cell, cell};
+    cells[1 - k] = other;
+    const std::optional<Exact_function>& f = eliminated(cells)[k];
+    return f ? std::optional(is_zero(*f)) : std::nullopt;
   }
 
   const std::array<std::optional<Exact_function>, 2>& eliminated(const Cells& cells)

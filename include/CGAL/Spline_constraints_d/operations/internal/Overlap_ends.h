@@ -22,7 +22,7 @@ namespace internal {
 /*
 The ends of the overlaps of two operands, which are common points that are known already. They are found once more where other pieces begin or at a seam.
 
-An answer is such an end if its parameters are those of the end, or stand for the same point on a seam; or if they hold the end, and it is proved that they hold no other common point: it counts once; or one operand has exact parameters, and the other one has no point twice; or there is none of two curves outside of the overlap.
+An answer is such an end if its parameters are those of the end, or stand for the same point on a seam; or if they hold the end, and it is proved that they hold no other common point: it counts once; or one operand has exact parameters, and the other one has no point twice; or there is none of two curves outside of the overlaps.
 */
 template <int d>
 class Overlap_ends
@@ -36,25 +36,29 @@ class Overlap_ends
   const Patch_pair<d>& m_pair;
   std::vector<End> m_ends;
   std::optional<Curve_parts<d>> m_parts;
+  bool m_has_overlaps = false;
 
 public:
   Overlap_ends(const Patch_pair<d>& pair, const std::vector<Common_point>& points) : m_pair(pair)
   {
     if (pair.number_of_parameters() == 2 && pair.first_parameter(1) == 1)
-      m_parts.emplace(pair);
+      m_parts.emplace(pair, points);
     for (const Common_point& point : points)
-      if (point.kind == Intersection_kind::OVERLAP)
+      if (point.kind == Intersection_kind::OVERLAP) {
+        m_has_overlaps = true;
         add_ends(point);
+      }
   }
 
   bool hold(const Common_point& point)
   {
-    return point.kind != Intersection_kind::OVERLAP && std::any_of(m_ends.begin(), m_ends.end(), [&](const End& end) {
+    const auto is_end = [&](const End& end) {
       if (!has_extent(point.parameters))
         return is_same_point(point.parameters, end);
       const bool counts_once = point.solution && point.solution->is_certified();   // unlike the pole of a surface
       return holds(point.parameters, end) && (counts_once || is_only_parameter_of_point(point.parameters) || is_only_common_point(point.parameters, end));
-    });
+    };
+    return point.kind != Intersection_kind::OVERLAP && (std::any_of(m_ends.begin(), m_ends.end(), is_end) || is_part_of_overlaps(point.parameters));
   }
 
 private:
@@ -110,6 +114,9 @@ private:
       }
     return false;
   }
+
+  // Of two curves, whether all common points in a box belong to overlaps, whose ends need not be known.
+  bool is_part_of_overlaps(const Parameter_box& box) { return m_parts && m_has_overlaps && has_extent(box) && m_parts->holds_only(box, {}); }
 
   // Of two curves, where all others belong to the overlap.
   bool is_only_common_point(const Parameter_box& box, const End& end) { return m_parts && m_parts->holds_only(box, {end.parameters}, &end.overlap->parameters); }

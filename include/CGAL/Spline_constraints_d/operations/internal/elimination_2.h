@@ -37,14 +37,16 @@ inline std::vector<std::array<Exact_rational, 3>> power_coefficients(const Splin
   return result;
 }
 
+using Function_matrix = std::vector<std::vector<Exact_function>>;
+
 // By the first row.
-inline Exact_function determinant(const std::vector<std::vector<Exact_function>>& rows)
+inline Exact_function determinant(const Function_matrix& rows)
 {
   if (rows.size() == 1)
     return rows[0][0];
   std::optional<Exact_function> result;
   for (std::size_t j = 0; j < rows.size(); ++j) {
-    std::vector<std::vector<Exact_function>> minor(rows.begin() + 1, rows.end());
+    Function_matrix minor(rows.begin() + 1, rows.end());
     for (std::vector<Exact_function>& row : minor)
       row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
     const Exact_function term = rows[0][j] * determinant(minor);
@@ -54,19 +56,19 @@ inline Exact_function determinant(const std::vector<std::vector<Exact_function>>
 }
 
 /*
-A polynomial in the parameter of a piece C of a planar curve that is zero where C has a point on a piece D of another one, of degree four at most; both without breaks.
+Of a piece C of a planar curve and a piece D of another one, of degree four at most, both without breaks: a matrix of functions on C that is singular where C has a point on D. None for other degrees.
 
-Let C(t) = (X : Y : W) and D(s) = (x : y : w). Where C(t) = D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y have the zero s in common, and so the determinant of their Bezout matrix is zero. With the
-factor W taken out, its entries are the sums of the determinants of (X, Y, W) and two coefficients of D. It is also zero for points of the curve that D is a part of, and everywhere if C is a part of this curve, too.
+Let C(t) = (X : Y : W) and D(s) = (x : y : w). Where C(t) = D(s), the polynomials x(s) W - w(s) X and y(s) W - w(s) Y have the zero s in common, and so their Bezout matrix is singular, and (1, s, s^2, ...) in its kernel. With the
+factor W taken out, its entries are the sums of the determinants of (X, Y, W) and two coefficients of D.
 */
-inline std::optional<Exact_function> eliminated(const Spline_patch<2>& curve, const Spline_patch<2>& other)
+inline Function_matrix bezout_matrix(const Spline_patch<2>& curve, const Spline_patch<2>& other)
 {
   constexpr std::size_t most = 4;
   const std::vector<std::array<Exact_rational, 3>> c = power_coefficients(other);
   const std::size_t n = c.size() - 1;
-  if (n == 0 || n > most)
-    return std::nullopt;
-  std::vector<std::vector<Exact_function>> rows(n);
+  if (n > most)
+    return {};
+  Function_matrix rows(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       std::array<Exact_rational, 3> sum{Exact_rational(0), Exact_rational(0), Exact_rational(0)};
@@ -79,7 +81,44 @@ inline std::optional<Exact_function> eliminated(const Spline_patch<2>& curve, co
       }
       rows[i].push_back(curve.numerators()[0] * sum[0] + curve.numerators()[1] * sum[1] + curve.weight() * sum[2]);
     }
-  return determinant(rows);
+  return rows;
+}
+
+// A polynomial that is zero where one piece has a point on another one. It is also zero for points of the curve that the other one is a part of, and everywhere if both are parts of this curve.
+inline std::optional<Exact_function> eliminated(const Spline_patch<2>& curve, const Spline_patch<2>& other)
+{
+  const Function_matrix rows = bezout_matrix(curve, other);
+  return rows.empty() ? std::nullopt : std::optional(determinant(rows));
+}
+
+/*
+Pairs of functions on a piece: at a simple zero of the eliminated polynomial, their quotient, where it is defined, is the parameter from 0 to 1 of the point on the other piece; outside of this interval, or if all divisors are zero, there is none.
+
+There, the Bezout matrix has corank one, as with a larger one its determinant had a multiple zero, and the cofactors of each row are in the kernel. A line is linear in its parameter itself.
+*/
+inline std::vector<std::array<Exact_function, 2>> parameter_quotients(const Spline_patch<2>& curve, const Spline_patch<2>& other)
+{
+  const Function_matrix rows = bezout_matrix(curve, other);
+  std::vector<std::array<Exact_function, 2>> result;
+  if (rows.size() == 1) {
+    const std::vector<std::array<Exact_rational, 3>> line = power_coefficients(other);
+    for (const std::size_t i : {0, 1}) {
+      const auto equation = [&](std::size_t k) { return curve.weight() * line[k][i] - curve.numerators()[i] * line[k][2]; };
+      result.push_back({equation(0) * Exact_rational(-1), equation(1)});
+    }
+    return result;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto minor = [&](std::size_t j) {
+      Function_matrix rest = rows;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+      for (std::vector<Exact_function>& row : rest)
+        row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
+      return determinant(rest);
+    };
+    result.push_back({minor(1) * Exact_rational(-1), minor(0)});
+  }
+  return result;
 }
 
 // Where a polynomial may be zero.
