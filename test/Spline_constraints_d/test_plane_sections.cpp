@@ -54,6 +54,10 @@ TEST(Plane_sections, sphere)
   expect_sections(sphere, Vector(0, 0, 1), {0, 1}, {{1, 0}, {1, 0}});
   expect_sections(sphere, Vector(0, 1, 0), {0, 1}, {{0, 2}, {1, 0}});   // two meridians from pole to pole
   expect_sections(sphere, Vector(1, 3, 0), {0}, {{1, 0}});              // through both poles
+  EXPECT_TRUE(SC::plane_sections(sphere, Vector(0, 1, 0), {Rational(0)})[0].singular_points().empty());
+  const auto at_pole = SC::plane_sections(sphere, Vector(0, 0, 1), {Rational(3)});   // touches
+  EXPECT_TRUE(at_pole[0].is_complete() && at_pole[0].curves().empty());
+  EXPECT_EQ(at_pole[0].singular_points().size(), 1u);
 }
 
 TEST(Plane_sections, as_intersection_curves)

@@ -120,6 +120,23 @@ public:
     }
   }
 
+  // A face of the last part that is one point in space and a solution: reported if no curve ends there. It is an isolated solution, unless the face is on the edge of a surface.
+  void add_pole(const Constant_parameter& pole, bool is_on_edge)
+  {
+    const Part& part = m_parts.back();
+    const auto is_there = [&](std::size_t i) { return part.solutions.vertices()[i].box[static_cast<std::size_t>(pole.axis)] == std::pair(pole.value, pole.value); };
+    const auto ends_there = [&](const Curve& curve) { return curve.part + 1 == m_parts.size() && curve.line && curve.line->axis != pole.axis; };
+    if (std::any_of(m_curves.begin(), m_curves.end(), ends_there))
+      return;
+    for (const Solution_curve& curve : part.solutions.curves())
+      for (const std::size_t i : curve.vertices())
+        if (is_there(i))
+          return;
+    Curve_vertex vertex{{part.system.domain(0), part.system.domain(1)}, true, !is_on_edge, false};
+    vertex.box[static_cast<std::size_t>(pole.axis)] = {pole.value, pole.value};
+    (is_on_edge ? m_points : m_singular_points).push_back(std::move(vertex));
+  }
+
   // A part where nothing but solutions is found.
   void add_undecided(const Curve_vertex::Exact_box& box)
   {

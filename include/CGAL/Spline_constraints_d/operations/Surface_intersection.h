@@ -114,7 +114,7 @@ public:
   //! number of curves that are not closed.
   std::size_t number_of_open_curves() const { return m_curves.size() - number_of_closed_curves(); }
 
-  //! singular points: where curves cross, where surfaces touch without having others in common near it, and pinch points of one surface, where a curve ends in which it meets itself.
+  //! singular points: where curves cross, where surfaces touch without having others in common near it, poles that no curve goes on through, and pinch points of one surface, where a curve ends in which it meets itself.
   const std::vector<Special_point>& singular_points() const { return m_singular_points; }
 
   //! points on an edge of a surface without others near them.
@@ -160,7 +160,7 @@ public:
       using internal::distance_from_middle;
       return distance_from_middle(from.image, sample.image, to.image) <= error && distance_from_middle(from.unknowns, sample.unknowns, to.unknowns) <= parameter_error;
     };
-    const auto& [surfaces, set] = m_parts[arc.part];
+    const auto& [surfaces, set, poles] = m_parts[arc.part];
     const auto point = [&surfaces = surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); };
     std::vector<Sample> result;
     for (const auto& [unknowns, image] : internal::curve_samples(surfaces.system(), set, set.curves()[arc.index], point, is_chord))
@@ -209,7 +209,7 @@ public:
 private:
   Special_point special_point(Intersection_kind kind, const internal::Part_vertex& point) const
   {
-    const auto& [surfaces, solutions] = m_parts[point.part];
+    const auto& [surfaces, solutions, poles] = m_parts[point.part];
     return Special_point(surfaces, kind, solutions.vertices()[point.vertex].box);
   }
 

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Contact_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curves_through_poles.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Pole_systems.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
@@ -19,18 +21,67 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The curves that satisfy the equations of two surfaces; other equations, if these are singular along curves.
+// The equations of two surfaces, looked for when they are needed.
+class Equations_of_surfaces
+{
+  const Surface_equations& m_surfaces;
+  std::array<bool, 2> m_is_known{};
+  std::array<std::optional<Power_polynomial>, 2> m_polynomials;
+
+public:
+  explicit Equations_of_surfaces(const Surface_equations& surfaces) : m_surfaces(surfaces) {}
+
+  const Power_polynomial* operator()(std::size_t surface)
+  {
+    if (!std::exchange(m_is_known[surface], true))
+      m_polynomials[surface] = m_surfaces.is_parametric(surface) ? implicit_equation(*m_surfaces.surface(surface).patch) : std::optional(m_surfaces.surface(surface).polynomial);
+    return m_polynomials[surface] ? &*m_polynomials[surface] : nullptr;
+  }
+
+  const std::array<std::optional<Power_polynomial>, 2>& both()
+  {
+    for (const std::size_t surface : {0, 1})
+      (*this)(surface);
+    return m_polynomials;
+  }
+};
+
+// The curves of two parametric surfaces with poles that lie on the other one, by equations that are regular there, if that proves all of them.
+inline std::optional<Solved_part> curves_with_poles(const Surface_equations& surfaces, const std::vector<Common_pole>& poles, Equations_of_surfaces& equations, const Solver_options& options,
+                                                    const Curve_search& search)
+{
+  std::array<bool, 2> has_common_pole{};
+  for (const Common_pole& common : poles)
+    has_common_pole[common.pole.surface] = true;
+  for (const Pole_system& equation : Pole_systems(surfaces, equations.both())(has_common_pole)) {
+    const Curve_solution_set_d common = Common_point_filter(surfaces, equation.is_one_point)(all_curves(equation.system, options, search));
+    if (common.is_complete())
+      return joined_at_poles(Surface_equations(surfaces, equation.system), common, poles);
+  }
+  return std::nullopt;
+}
+
+// The curves that satisfy the equations of two surfaces; other equations, if these are singular along curves, or at poles.
 inline Solved_part common_curves(Surface_equations surfaces, const Solver_options& options)
 {
   if (!surfaces.has_system())
     return {std::move(surfaces), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
+  Curve_search search{.closed_unknowns = surfaces.closed_unknowns()};
+  for (const Surface_pole& pole : surfaces.poles())
+    search.points.emplace_back(pole.unknown, pole.value);
+  Equations_of_surfaces equations(surfaces);
+  std::vector<Common_pole> poles;
+  if (!surfaces.has_coordinates())
+    poles = Common_poles(surfaces, [&](std::size_t surface) { return equations(surface); }, options)();
+  if (!poles.empty() && surfaces.has_all_parameters())
+    if (std::optional<Solved_part> result = curves_with_poles(surfaces, poles, equations, options, search))
+      return std::move(*result);
   std::vector<Contact_curves> contacts;
   bool has_looked = false;
-  Curve_search search{.closed_unknowns = surfaces.closed_unknowns(), .undecided_faces = surfaces.unknowns_with_poles()};
   const auto has_contact_curves = [&] {
     if (std::exchange(has_looked, true) || !surfaces.has_all_parameters())
       return !contacts.empty();
-    const std::array<std::optional<Power_polynomial>, 2> polynomials{implicit_equation(*surfaces.surface(0).patch), implicit_equation(*surfaces.surface(1).patch)};
+    const auto& polynomials = equations.both();
     for (const std::size_t implicit : {0, 1})
       if (const std::optional<Contact_curves> found = Contact_curves::make(surfaces, polynomials, implicit))
         contacts.push_back(*found);
@@ -54,7 +105,7 @@ inline Solved_part common_curves(Surface_equations surfaces, const Solver_option
   }
   if (other)
     surfaces = Surface_equations(surfaces, std::move(*other));
-  return {std::move(surfaces), std::move(solutions)};
+  return joined_at_poles(std::move(surfaces), solutions, poles);
 }
 
 } // namespace internal
@@ -71,8 +122,11 @@ implicit surface that ends at its box within the bounds of a parametric one adds
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
 The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found, or two of them; and of two parametric surfaces, where an
-equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide, and what is near a pole that lies on the other surface. A curve along an edge, a seam or a break is found where one equation
-says so, as it does of a parametric surface and an implicit one, and along contacts of two parametric ones that both have an equation; at edges and seams only of a surface without a pole.
+equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide. A curve along an edge, a seam or a break is found where one equation
+says so, as it does of a parametric surface and an implicit one, and along contacts of two parametric ones that both have an equation.
+
+A curve goes on through a pole, an edge of a surface that is one point, if the surface has a tangent plane there and two branches end in it in opposite directions. A pole that lies on the other surface is a singular point otherwise, such as the apex of a cone, where it lies on no other edge; none, one or many branches end there. Of two parametric surfaces this is found, as a rule, if the one
+that a pole lies on has an equation of degree four at most, and no seam or pole there; else what is near the pole is undecided.
 
 \tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel, which is that of the result; `Implicit_surface_3` goes with any, two of them have results in
         `CGAL::Simple_cartesian<double>`.

@@ -137,7 +137,7 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
   Solved_part part = common_curves(std::move(equations), options);
   Surface_curves_3<Kernel> result([surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
   if (part.surfaces.has_system())
-    result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), {}});
+    result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), part.poles});
   return result;
 }
 

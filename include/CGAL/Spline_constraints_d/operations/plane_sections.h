@@ -17,7 +17,7 @@ namespace Spline_constraints {
 
 the sections of a surface with parallel planes, or its contour lines: where \f$\langle S, v\rangle\f$ has given values, with a proof of the number of curves and of how they are connected, for each value.
 
-The equation is \f$\langle X, v\rangle - c\,w = 0\f$ with \f$S = X/w\f$. Other than with `intersection_curves()`, curves may run along an edge, a break or a seam (`Surface_curve::line`), and through a pole. Where a part of the
+The equation is \f$\langle X, v\rangle - c\,w = 0\f$ with \f$S = X/w\f$. Curves may run along an edge, a break or a seam (`Surface_curve::line`), and through a pole. A pole where a plane touches is a singular point, or a single one on an edge. Where a part of the
 surface lies in one of the planes, and at singular points of higher order with irrational parameters, the answer is undecided.
 
 \param surface a model of `ParametricSurface_3`, or an object of CGAL that is converted to one.
@@ -45,7 +45,7 @@ std::vector<Surface_curves_3<internal::Operand_kernel<Surface>>> plane_sections(
   std::vector<Surface_curves_3<Operand_kernel<Surface>>> result;
   for (const auto& level : levels) {
     Surface_zeros<Operand_kernel<Surface>> zeros(patch, options);
-    zeros.add(combined<4>(coordinates, {v.x(), v.y(), v.z(), Exact_rational(-converted_number<Exact_rational>(level))}));
+    zeros.add(combined<4>(coordinates, {v.x(), v.y(), v.z(), Exact_rational(-converted_number<Exact_rational>(level))}), false);
     result.push_back(zeros.curves());
   }
   return result;

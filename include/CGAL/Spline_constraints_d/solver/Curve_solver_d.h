@@ -232,7 +232,7 @@ struct Curve_search
 {
   bool are_faces_undecided = false;                       // curves in faces of the domain, since each point is on several faces, or in several places of one
   std::vector<std::size_t> closed_unknowns = {};          // both ends of their ranges are the same: curves in these faces are found at the lower one
-  std::vector<std::size_t> undecided_faces = {};          // curves in the faces at the ends of their ranges are undecided, for the same reasons as above
+  std::vector<std::pair<std::size_t, Exact_rational>> points = {};   // faces, by an unknown and its value, that stand for one point: there are no curves in them
   std::function<bool()> gives_up = [] { return false; };  // asked when curves seem to be singular, and no equality has repeated factors: whether there are better equations
 
   enum Use { FIND, SKIP, LEAVE };
@@ -243,7 +243,9 @@ struct Curve_search
     if (lower < face.value && face.value < upper)
       return FIND;
     const auto is_one_of = [&](const std::vector<std::size_t>& unknowns) { return std::find(unknowns.begin(), unknowns.end(), static_cast<std::size_t>(face.axis)) != unknowns.end(); };
-    if (are_faces_undecided || is_one_of(undecided_faces))
+    if (std::find(points.begin(), points.end(), std::pair(static_cast<std::size_t>(face.axis), face.value)) != points.end())
+      return SKIP;
+    if (are_faces_undecided)
       return LEAVE;
     return face.value == upper && is_one_of(closed_unknowns) ? SKIP : FIND;
   }

@@ -7,17 +7,16 @@
 #include <CGAL/Spline_constraints_d/function/internal/Integer_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Common_point_filter.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
+#include <CGAL/Spline_constraints_d/operations/internal/equations_of_pairs.h>
 #include <CGAL/Spline_constraints_d/operations/internal/implicit_equation.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
-
-#include <CGAL/Uncertain.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,7 +34,7 @@ On a contact curve the equations A = B are singular. If f(B) has repeated factor
   <A - B, B_s> = <A - B, B_t> = 0, g(s,t) = 0,
 
 and these are regular where the surfaces touch, and g is. Other solutions are pairs of points of f = 0 on a normal of B. By the mean value theorem 0 = f(A) - f(B) = lambda <grad f, n>, with n = B_s x B_t, A - B = lambda n, and the gradient at some point between: so both are the same point where <grad f, n> is not
-zero around them. Along a regular curve in one cell of both surfaces A - B is analytic: it is zero everywhere, if around one vertex. Curves of other solutions are in boxes where A and B are apart.
+zero around them.
 
 Where a contact curve runs along a break, a seam or an edge of a surface, those equations do not say so, since no one of them is zero there. If B, too, has an equation h(B) = 0, let B be a surface on which g = 0 is such a line, with the tangent T = B_s or B_t. All common points satisfy
 
@@ -95,49 +94,32 @@ public:
     Constraint_system_d result(domain_of(m_surfaces.system()));
     for (const int axis : {0, 1})
       if (!m_line || m_line->axis == axis)
-        result.add(without_poles(projection(axis)), Relation::EQUAL);
-    result.add(product(m_factors, m_other), Relation::EQUAL);
+        result.add(projection(m_surfaces, m_other, axis), Relation::EQUAL);
+    result.add(in_all_unknowns(m_factors.system().equalities().front(), m_surfaces, m_other), Relation::EQUAL);
     if (m_line)
-      result.add(product(m_line->factors, m_implicit), Relation::EQUAL);
+      result.add(in_all_unknowns(m_line->factors.system().equalities().front(), m_surfaces, m_implicit), Relation::EQUAL);
     return result;
   }
 
   // Those of the solutions of the system that are common points. What is neither proved to be that nor not to be is undecided.
   Curve_solution_set_d common_points(const Curve_solution_set_d& all) const
   {
-    std::vector<Solution_curve> curves;
-    std::vector<std::size_t> points, singular_points;
-    std::vector<Undecided_region> undecided;
-    for (const Solution_curve& curve : all.curves()) {
-      const CGAL::Uncertain<bool> is_common = has_common_points(all, curve);
-      if (!CGAL::is_certain(is_common))
-        undecided.push_back(region_of(curve));
-      else if (CGAL::get_certain(is_common))
-        curves.push_back(counted(all, curve));
-    }
-    for (auto [from, to] : {std::pair(&all.points(), &points), std::pair(&all.singular_points(), &singular_points)})
-      for (const std::size_t i : *from) {
-        const CGAL::Uncertain<bool> is_common = is_common_point(all.vertices()[i].box);
-        if (!CGAL::is_certain(is_common))
-          undecided.push_back({{all.vertices()[i].box}, {i}, Undecided_reason::TOLERANCE});
-        else if (CGAL::get_certain(is_common))
-          to->push_back(i);
-      }
-    for (Undecided_region region : all.undecided()) {
-      std::erase_if(region.boxes, [&](const Exact_ranges& box) { return are_apart(box); });
-      if (!region.boxes.empty())
-        undecided.push_back(std::move(region));
-    }
-    return with_used_vertices(all, std::move(curves), std::move(points), std::move(singular_points), std::move(undecided));
+    const auto is_one_point = [&](const std::vector<Mpfr_interval>& both, const Exact_ranges& solution) {
+      const Spline_patch<3> other = Common_point_filter::part(m_surfaces, m_other, solution);
+      return m_line ? is_one_point_on_line(both, other) : crosses_normals(gradient_of(m_polynomial, both), other);
+    };
+    const auto own = [&](const Exact_ranges& box) {
+      const auto first = box.begin() + static_cast<std::ptrdiff_t>(m_surfaces.parameter(m_other, 0).unknown);
+      return Exact_ranges(first, first + 2);
+    };
+    const auto multiplicity = [&](const Exact_ranges& piece, const Exact_ranges& vertex) { return m_factors.multiplicity(own(piece), own(vertex)); };   // in f(B)
+    return Common_point_filter(m_surfaces, is_one_point, multiplicity)(all);
   }
 
 private:
   Contact_curves(const Surface_equations& surfaces, std::size_t implicit, Power_polynomial polynomial, Simple_factors factors)
     : m_surfaces(surfaces), m_implicit(implicit), m_other(1 - implicit), m_polynomial(std::move(polynomial)), m_factors(std::move(factors))
   {}
-
-  // The equation of the points of a surface where a polynomial is zero.
-  static Constraint_system_d incidence(const Power_polynomial& polynomial, const Spline_patch<3>& patch) { return Surface_equations(Surface_shape(polynomial), Surface_shape(patch)).system(); }
 
   // Whether tangents jump.
   static bool has_creases(const Spline_patch<3>& patch)
@@ -154,18 +136,6 @@ private:
   {
     const std::vector<Exact_rational> places = places_of_faces(system, 1 - axis);
     return std::any_of(places.begin(), places.end(), [&](const Exact_rational& place) { return Face_factor(system.equalities().front(), 1 - axis, system.domain(1 - axis), place).divides(); });
-  }
-
-  // The product of the factors of an equation in the parameters of a surface, as one in all unknowns.
-  Spline_function product(const Simple_factors& factors, std::size_t surface) const
-  {
-    Spline_function result;
-    for (Spline_term term : factors.system().equalities().front().terms()) {
-      for (int& v : term.variables)
-        v += static_cast<int>(first_unknown(surface));
-      result += Spline_function(std::move(term));
-    }
-    return result;
   }
 
   // Whether a polynomial is zero in some points of a piece of a break or an edge of a surface.
@@ -190,220 +160,15 @@ private:
     return false;
   }
 
-  const Spline_patch<3>& patch(std::size_t surface) const { return *m_surfaces.surface(surface).patch; }
-  std::size_t first_unknown(std::size_t surface) const { return m_surfaces.parameter(surface, 0).unknown; }
-
-  // The product of A - B with a tangent of B.
-  Spline_function projection(int axis) const
-  {
-    const std::vector<Unknown> unknowns = unknowns_in(domain_of(m_surfaces.system()));
-    const auto of = [&](std::size_t surface) { return std::span(unknowns).subspan(first_unknown(surface), 2); };
-    const Parametric_vector<3> a(patch(m_implicit)), b(patch(m_other));
-    return (dot(a(of(m_implicit)) - b(of(m_other)), b.tangent(axis)(of(m_other))) == 0).spline_function();
-  }
-
-  // Where an edge of B is one point, a tangent is zero: the function is divided by its factor there.
-  Spline_function without_poles(Spline_function function) const
-  {
-    for (const int axis : {0, 1}) {
-      const Parameter_range range = patch(m_other).domain(axis);
-      for (const Exact_rational& end : {range.first, range.second})
-        if (patch(m_other).part(axis, {end, end}).is_one_point())
-          for (const int unknown = static_cast<int>(first_unknown(m_other)) + axis; Face_factor(function, unknown, range, end).divides();)
-            function = Face_factor(function, unknown, range, end).quotient();
-    }
-    return function;
-  }
-
-  // A part of a surface, a little larger than a box.
-  Spline_patch<3> part(std::size_t surface, const Exact_ranges& box) const
-  {
-    constexpr double share = 0x1p-30;
-    std::vector<Parameter_range> ranges;
-    for (int axis = 0; axis < 2; ++axis) {
-      const Parameter_range domain = patch(surface).domain(axis), range = box[first_unknown(surface) + static_cast<std::size_t>(axis)];
-      const Exact_rational margin((domain.second - domain.first) * Exact_rational(share));
-      ranges.emplace_back((std::max)(domain.first, Exact_rational(range.first - margin)), (std::min)(domain.second, Exact_rational(range.second + margin)));
-    }
-    return patch(surface).part(ranges);
-  }
-
-  bool are_apart(const Exact_ranges& box) const { return are_apart(part(m_implicit, box).values(), part(m_other, box).values()); }
-
-  // The same, by halves of the box.
-  bool are_apart_in_parts(const Exact_ranges& box, int most_halvings = 8) const
-  {
-    if (are_apart(box))
-      return true;
-    if (most_halvings == 0)
-      return false;
-    std::size_t longest = 0;
-    Exact_rational length(0);   // a share of the domain
-    for (const std::size_t surface : {m_implicit, m_other})
-      for (int axis = 0; axis < 2; ++axis) {
-        const std::size_t unknown = first_unknown(surface) + static_cast<std::size_t>(axis);
-        const Parameter_range domain = patch(surface).domain(axis);
-        const Exact_rational share((box[unknown].second - box[unknown].first) / (domain.second - domain.first));
-        if (length < share) {
-          length = share;
-          longest = unknown;
-        }
-      }
-    Exact_ranges lower = box, upper = box;
-    lower[longest].second = upper[longest].first = (box[longest].first + box[longest].second) / 2;
-    return are_apart_in_parts(lower, most_halvings - 1) && are_apart_in_parts(upper, most_halvings - 1);
-  }
-
-  static bool are_apart(const Vector_bounds<3>& a, const Vector_bounds<3>& b)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (a[i].upper < b[i].lower || b[i].upper < a[i].lower)
-        return true;
-    return false;
-  }
-
-  // Whether the solution in a box is a common point, and so are all near it.
-  CGAL::Uncertain<bool> is_common_point(const Exact_ranges& solution) const
-  {
-    const Spline_patch<3> other = part(m_other, solution);
-    const Vector_bounds<3> a = part(m_implicit, solution).values(), b = other.values();
-    if (are_apart(a, b))
-      return false;
-    const Mpfr_precision_scope precision(128);
-    std::vector<Mpfr_interval> between;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Rational_interval both = hull(a[i], b[i]);
-      between.emplace_back(both.lower, both.upper);
-    }
-    if (m_line)
-      return is_one_point(between, other) ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
-    const std::array<Mpfr_interval, 3> gradient = gradient_of(m_polynomial, between);
-    const std::vector<Exact_rational> u = other.breaks(0), v = other.breaks(1);   // on both sides of a break the tangents have other lengths
-    bool is_common = true;
-    for (std::size_t i = 1; i < u.size(); ++i)
-      for (std::size_t j = 1; j < v.size(); ++j)
-        is_common = is_common && crosses_normal(gradient, other.part({{u[i - 1], u[i]}, {v[j - 1], v[j]}}));
-    return is_common ? CGAL::Uncertain<bool>(true) : CGAL::Uncertain<bool>::indeterminate();
-  }
-
-  static std::array<Mpfr_interval, 3> gradient_of(const Power_polynomial& polynomial, const std::vector<Mpfr_interval>& box)
-  {
-    std::array<Mpfr_interval, 3> result;
-    for (std::size_t i = 0; i < 3; ++i)
-      result[i] = polynomial.derivative(static_cast<int>(i)).value(std::span<const Mpfr_interval>(box));
-    return result;
-  }
-
   // Whether two common zeros of the polynomials in a box are the same, if their difference is perpendicular to the tangent of the line in a part of B.
-  bool is_one_point(const std::vector<Mpfr_interval>& box, const Spline_patch<3>& part) const
+  bool is_one_point_on_line(const std::vector<Mpfr_interval>& box, const Spline_patch<3>& part) const
   {
-    const Vector_bounds<3> tangent = part.tangents(m_line->axis);
+    const Vector_bounds<3> bounds = part.tangents(m_line->axis);
+    std::array<Mpfr_interval, 3> tangent;
+    for (std::size_t i = 0; i < 3; ++i)
+      tangent[i] = Mpfr_interval(bounds[i].lower, bounds[i].upper);
     const auto& [p, q] = m_line->common_zeros.polynomials();
-    const std::array<Mpfr_interval, 3> of_p = gradient_of(p, box), of_q = gradient_of(q, box);
-    Mpfr_interval determinant(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      determinant += Mpfr_interval(tangent[i].lower, tangent[i].upper) * (of_p[j] * of_q[k] - of_p[k] * of_q[j]);
-    }
-    return CGAL::certainly(determinant.sign() != CGAL::ZERO);
-  }
-
-  // Whether the product of a gradient with the normals of a part of a surface is not zero.
-  static bool crosses_normal(const std::array<Mpfr_interval, 3>& gradient, const Spline_patch<3>& surface)
-  {
-    const Vector_bounds<3> s = surface.tangents(0), t = surface.tangents(1);
-    Mpfr_interval slope(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const Rational_interval normal = s[j] * t[k] - s[k] * t[j];
-      slope += gradient[i] * Mpfr_interval(normal.lower, normal.upper);
-    }
-    return CGAL::certainly(slope.sign() != CGAL::ZERO);
-  }
-
-  // Whether a curve has common points only, or none.
-  CGAL::Uncertain<bool> has_common_points(const Curve_solution_set_d& all, const Solution_curve& curve) const
-  {
-    std::optional<CGAL::Uncertain<bool>> result;
-    for (auto begin = curve.pieces.begin(); begin != curve.pieces.end();) {
-      const auto end = std::find_if(begin, curve.pieces.end(), [&](const Curve_piece& piece) { return cell_of(piece) != cell_of(*begin); });
-      const CGAL::Uncertain<bool> is_common = has_common_points(all, std::span(begin, end));
-      if (!CGAL::is_certain(is_common) || (result && CGAL::get_certain(is_common) != CGAL::get_certain(*result)))
-        return CGAL::Uncertain<bool>::indeterminate();
-      result = is_common;
-      begin = end;
-    }
-    return *result;
-  }
-
-  // The same of pieces in one cell: all points are common ones, if those around a vertex are.
-  CGAL::Uncertain<bool> has_common_points(const Curve_solution_set_d& all, std::span<const Curve_piece> pieces) const
-  {
-    for (const Curve_piece& piece : pieces)
-      for (const std::size_t i : piece.ends)
-        if (!all.vertices()[i].is_singular && CGAL::certainly(is_common_point(all.vertices()[i].box)))
-          return true;
-    return std::all_of(pieces.begin(), pieces.end(), [&](const Curve_piece& piece) { return are_apart_in_parts(piece.box); }) ? CGAL::Uncertain<bool>(false) : CGAL::Uncertain<bool>::indeterminate();
-  }
-
-  // The pieces of both surfaces that it lies on.
-  std::vector<std::size_t> cell_of(const Curve_piece& piece) const
-  {
-    std::vector<std::size_t> result;
-    for (const std::size_t surface : {m_implicit, m_other})
-      for (int axis = 0; axis < 2; ++axis) {
-        const auto& [lower, upper] = piece.box[first_unknown(surface) + static_cast<std::size_t>(axis)];
-        result.push_back(cell_at(patch(surface).breaks(axis), Exact_rational((lower + upper) / 2)));
-      }
-    return result;
-  }
-
-  // With the multiplicities of its points in f(B).
-  Solution_curve counted(const Curve_solution_set_d& all, Solution_curve curve) const
-  {
-    const auto own = [&](const Exact_ranges& box) { return Exact_ranges(box.begin() + static_cast<std::ptrdiff_t>(first_unknown(m_other)), box.begin() + static_cast<std::ptrdiff_t>(first_unknown(m_other)) + 2); };
-    for (Curve_piece& piece : curve.pieces) {
-      piece.multiplicity = 0;
-      for (const std::size_t i : piece.ends)
-        if (piece.multiplicity == 0 && !all.vertices()[i].is_singular)
-          piece.multiplicity = m_factors.multiplicity(own(piece.box), own(all.vertices()[i].box));
-    }
-    return curve;
-  }
-
-  static Undecided_region region_of(const Solution_curve& curve)
-  {
-    Undecided_region result{{}, {}, Undecided_reason::TOLERANCE};
-    for (const Curve_piece& piece : curve.pieces)
-      result.boxes.push_back(piece.box);
-    return result;
-  }
-
-  static Curve_solution_set_d with_used_vertices(const Curve_solution_set_d& all, std::vector<Solution_curve> curves, std::vector<std::size_t> points, std::vector<std::size_t> singular_points,
-                                                 std::vector<Undecided_region> undecided)
-  {
-    std::vector<Curve_vertex> vertices;
-    std::map<std::size_t, std::size_t> place;
-    const auto renumber = [&](std::size_t& i) {
-      const auto [entry, is_new] = place.try_emplace(i, vertices.size());
-      if (is_new)
-        vertices.push_back(all.vertices()[i]);
-      i = entry->second;
-    };
-    for (Solution_curve& curve : curves)
-      for (Curve_piece& piece : curve.pieces)
-        std::for_each(piece.ends.begin(), piece.ends.end(), renumber);
-    std::for_each(points.begin(), points.end(), renumber);
-    std::for_each(singular_points.begin(), singular_points.end(), renumber);
-    for (Undecided_region& region : undecided) {
-      std::erase_if(region.vertices, [&](std::size_t i) { return !place.contains(i); });
-      std::for_each(region.vertices.begin(), region.vertices.end(), renumber);
-    }
-    Summary summary = all.summary();
-    summary.is_complete = undecided.empty();
-    if (!undecided.empty())
-      summary.why_not = undecided.front().reason;
-    return Curve_solution_set_d(std::move(vertices), std::move(curves), std::move(points), std::move(singular_points), std::move(undecided), summary);
+    return are_independent(gradient_of(p, box), gradient_of(q, box), tangent);
   }
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/Intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_poles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/settle_undecided_contacts.h>
 
 #include <algorithm>
@@ -21,8 +22,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-inline bool are_orthogonal(const Exact_vector<3>& a, const Exact_vector<3>& b) { return exact_dot(a, b) == 0; }
 
 // A polynomial piece of a surface, the upper ends of its ranges that do not belong to it, and its edges (axis, side) that are poles and do not belong to it either.
 struct Contact_piece
@@ -54,30 +53,6 @@ inline std::vector<Axis_part> polynomial_ranges(const Spline_patch<3>& surface, 
     result.push_back({cell(i), goes_on && have_same_direction<3>(surface.one_sided_tangent(axis, cell(i), 1), surface.one_sided_tangent(axis, cell((i + 1) % cells), 0))});
   }
   return result;
-}
-
-// Two vectors that span what the derivatives across a pole span, if that is a plane.
-inline std::optional<std::array<Exact_vector<3>, 2>> tangents_at_pole(const Spline_patch<3>& surface, int axis, int side)
-{
-  const std::vector<Exact_rational> breaks = surface.breaks(axis);
-  const Parameter_range cell = side == 0 ? Parameter_range(breaks[0], breaks[1]) : Parameter_range(breaks[breaks.size() - 2], breaks.back());
-  const Vector_of_functions<3> tangent = surface.one_sided_tangent(axis, cell, side);
-  const std::vector<Exact_rational> along = surface.breaks(1 - axis);
-  int degree = 0;
-  for (const Exact_function& f : tangent)
-    degree = (std::max)(degree, f.degree(0));
-  std::vector<Exact_vector<3>> values;   // as many as determine a polynomial on each piece
-  for (std::size_t i = 1; i < along.size(); ++i)
-    for (int k = 0; k <= degree; ++k) {
-      const std::array<Exact_rational, 1> u{Exact_rational(along[i - 1] + (along[i] - along[i - 1]) * (2 * k + 1) / (2 * degree + 2))};
-      values.push_back({tangent[0](u), tangent[1](u), tangent[2](u)});
-    }
-  for (const Exact_vector<3>& other : values)
-    if (const Exact_vector<3> normal = exact_cross(values[0], other); normal != Exact_vector<3>{}) {
-      const bool is_plane = std::all_of(values.begin(), values.end(), [&](const Exact_vector<3>& x) { return are_orthogonal(normal, x); });
-      return is_plane ? std::optional(std::array<Exact_vector<3>, 2>{values[0], other}) : std::nullopt;
-    }
-  return std::nullopt;
 }
 
 /*

@@ -25,6 +25,7 @@ struct Solved_part
 {
   Surface_equations surfaces;
   Curve_solution_set_d solutions;
+  std::vector<Seam_joints::Face> poles = {};   // where curves may go on
 };
 
 // A vertex of the solutions of one of several parts.
@@ -76,8 +77,8 @@ public:
 private:
   void collect(std::size_t part)
   {
-    const auto& [surfaces, solutions] = m_parts[part];
-    const Seam_joints joints(surfaces.system(), solutions, surfaces.closed_unknowns(), {}, surfaces.exchange());
+    const auto& [surfaces, solutions, poles] = m_parts[part];
+    const Seam_joints joints(surfaces.system(), solutions, surfaces.closed_unknowns(), poles, surfaces.exchange());
     for (Intersection_curve& curve : joints.curves()) {
       for (Intersection_arc& arc : curve.arcs)
         arc.part = part;

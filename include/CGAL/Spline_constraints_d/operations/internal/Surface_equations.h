@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Height_field.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Surface_poles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 
@@ -101,14 +102,18 @@ public:
     return result;
   }
 
-  // The unknowns that a parameter of a surface with a pole, an edge that is one point, depends on.
-  std::vector<std::size_t> unknowns_with_poles() const
+  // Edges that are one point in space.
+  std::vector<Surface_pole> poles() const
   {
-    std::vector<std::size_t> result;
+    std::vector<Surface_pole> result;
     for (std::size_t k = 0; k < 2; ++k)
-      if (is_parametric(k) && (has_pole(*m_surfaces[k].patch, 0) || has_pole(*m_surfaces[k].patch, 1)))
-        for (const Affine_function& parameter : m_parameters[k])
-          result.push_back(parameter.unknown);
+      for (int axis = 0; axis < 2 && is_parametric(k); ++axis)
+        for (const int side : {0, 1}) {
+          const Parameter_range range = parameter_domain(k, axis);
+          const Exact_rational& value = side == 0 ? range.first : range.second;
+          if (m_surfaces[k].patch->part(axis, {value, value}).is_one_point())   // height fields, whose parameters are functions of the unknowns, have none
+            result.push_back({k, axis, side, m_parameters[k][axis].unknown, value});
+        }
     return result;
   }
 
@@ -135,12 +140,6 @@ private:
   {
     constexpr int direction = 4;
     return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction} : std::vector<std::size_t>{};
-  }
-
-  static bool has_pole(const Spline_patch<3>& patch, int axis)
-  {
-    const auto [begin, end] = patch.domain(axis);
-    return patch.part(axis, {begin, begin}).is_one_point() || patch.part(axis, {end, end}).is_one_point();
   }
 
   bool are_apart() const

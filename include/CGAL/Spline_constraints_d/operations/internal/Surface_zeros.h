@@ -93,8 +93,8 @@ public:
 
   const Surface_curves_3<Kernel>& curves() const { return m_curves; }
 
-  // Adds the zeros of a function.
-  void add(const Cell_functions<1>& function)
+  // Adds the zeros of a function. What it has at poles may be false, as where it vanishes since tangents do.
+  void add(const Cell_functions<1>& function, bool has_false_poles = true)
   {
     for (const Continuous_part<1>& part : continuous_parts(function, false)) {
       const Curve_vertex::Exact_box domain{part.functions.domain(0), part.functions.domain(1)};
@@ -106,10 +106,20 @@ public:
       system.add(formula(part.functions.splines()[0], unknowns_in(domain)) == 0);
       Curve_solution_set_d solutions = internal::curves_within(system, m_options);
       m_curves.add(std::move(system), std::move(solutions), joints(part.functions), lines(part));
+      if (!has_false_poles)
+        add_poles(part);
     }
   }
 
 private:
+  // Each once, though its factor may be there several times; in parts of a pole nothing is known of the others.
+  void add_poles(const Continuous_part<1>& part)
+  {
+    for (auto line = part.lines.begin(); line != part.lines.end(); ++line)
+      if (is_pole(m_patch, part.functions, *line) && part.functions.domain(1 - line->axis) == m_patch.domain(1 - line->axis) && std::find(part.lines.begin(), line, *line) == line)
+        m_curves.add_pole(*line, !m_patch.is_closed(1 - line->axis));
+  }
+
   Domain_joints joints(const Cell_functions<1>& part) const
   {
     Domain_joints result;

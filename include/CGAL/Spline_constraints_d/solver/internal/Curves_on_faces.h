@@ -120,6 +120,15 @@ public:
     return result;
   }
 
+  // Divides a function by the factor as often as it can be. Returns how often this is.
+  static int divide_out(Spline_function& function, int unknown, const std::pair<Exact_rational, Exact_rational>& range, const Exact_rational& value)
+  {
+    int exponent = 0;
+    for (; Face_factor(function, unknown, range, value).divides(); ++exponent)
+      function = Face_factor(function, unknown, range, value).quotient();
+    return exponent;
+  }
+
 private:
   std::optional<std::size_t> axis_of(const Spline_term& term) const
   {
@@ -222,11 +231,10 @@ inline std::pair<Constraint_system_d, int> without_face(const Constraint_system_
 {
   Constraint_system_d result(domain_of(system));
   int exponent = 0;
-  const auto& range = system.domain(face.axis);
   for (std::size_t i = 0; i < system.equalities().size(); ++i) {
     Spline_function function = system.equalities()[i];
-    for (; i == face.equality && Face_factor(function, face.axis, range, face.value).divides(); ++exponent)
-      function = Face_factor(function, face.axis, range, face.value).quotient();
+    if (i == face.equality)
+      exponent = Face_factor::divide_out(function, face.axis, system.domain(face.axis), face.value);
     result.add(std::move(function), Relation::EQUAL);
   }
   for (const auto& [function, relation] : system.inequalities())
