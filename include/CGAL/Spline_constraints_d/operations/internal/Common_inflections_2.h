@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -49,12 +48,16 @@ public:
 
   const Common_inflection& operator[](std::size_t index) const { return m_inflections[index]; }
 
-  // The one that two elements hold or reach.
-  std::optional<std::size_t> next_to(const std::array<std::size_t, 2>& elements) const
+  // Those that two elements hold or reach: none, one, or one at each end.
+  std::vector<std::size_t> next_to(const std::array<std::size_t, 2>& elements) const
   {
-    const auto reaches = [&](const Common_inflection& c, std::size_t k) { return elements[k] + 1 >= c.elements[k] && elements[k] <= c.elements[k] + 1; };
-    const auto found = std::find_if(m_inflections.begin(), m_inflections.end(), [&](const Common_inflection& c) { return reaches(c, 0) && reaches(c, 1); });
-    return found == m_inflections.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - m_inflections.begin()));
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < m_inflections.size(); ++i) {
+      const auto reaches = [&](std::size_t k) { return elements[k] + 1 >= m_inflections[i].elements[k] && elements[k] <= m_inflections[i].elements[k] + 1; };
+      if (reaches(0) && reaches(1))
+        result.push_back(i);
+    }
+    return result;
   }
 
 private:

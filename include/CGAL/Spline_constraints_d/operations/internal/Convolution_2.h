@@ -62,7 +62,7 @@ private:
     const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
     if (can_first_turn || can_second_turn)
       add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
-    else if (m_inflections.next_to(elements))
+    else if (!m_inflections.next_to(elements).empty())
       return;
     else if (a.turn == Turn::UNKNOWN || b.turn == Turn::UNKNOWN)
       add_unknown_sums(elements, a.turn == Turn::UNKNOWN ? 0 : 1);
@@ -138,8 +138,8 @@ private:
   void add_pieces(const std::array<std::size_t, 2>& elements, std::size_t turning)
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
-    const auto inflection = m_inflections.next_to(elements);
-    if (b.turn == Turn::UNKNOWN && inflection)
+    const std::vector<std::size_t> inflections = m_inflections.next_to(elements);
+    if (b.turn == Turn::UNKNOWN && !inflections.empty())
       return;
     if (b.turn == Turn::UNKNOWN)
       return add_inflection(elements, turning);
@@ -149,8 +149,8 @@ private:
         ends[e] = *end;
       else
         return;
-    if (inflection)
-      set_inflection(*inflection, elements[1 - turning], 1 - turning, ends);
+    for (const std::size_t inflection : inflections)
+      set_inflection(inflection, elements[1 - turning], 1 - turning, ends);
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
     if (b.turn == Turn::RIGHT && !a.is_corner) {
       if (!piece.is_point())
