@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -57,6 +58,34 @@ std::vector<std::vector<P>> polygons(const Sector& sector, double error = 0.01)
   std::vector<std::vector<P>> result;
   for (const Sector::Chain& chain : sector.chains())
     result.push_back(points(sector, chain, error));
+  return result;
+}
+
+using Sites = std::array<std::vector<P>, 2>;   // points along both operands
+
+std::vector<P> points_along(const Curve& curve)
+{
+  std::vector<P> result;
+  const auto [first, last] = curve.domain();
+  for (int i = 0; i <= 400; ++i)
+    result.push_back(curve(first + i / 400.0 * (last - first)));
+  return result;
+}
+
+// The chains go around the points that are nearer to one of the operands, and no others. Returns the numbers of points that are inside, and outside.
+std::array<std::size_t, 2> check_sides(const Sector& sector, double alpha, const Sites& sites, const std::vector<P>& places)
+{
+  const auto distance_from = [](const P& p, const std::vector<P>& points) { return distance(p, *std::min_element(points.begin(), points.end(), [&](const P& q, const P& r) { return distance(p, q) < distance(p, r); })); };
+  const auto chains = polygons(sector);
+  std::array<std::size_t, 2> result{};
+  for (const P& p : places) {
+    const double difference = (1 - alpha) * distance_from(p, sites[0]) - alpha * distance_from(p, sites[1]);
+    if (std::abs(difference) < 0.1)
+      continue;
+    const bool is_inside = (difference < 0) == (alpha < 0.5);
+    EXPECT_EQ(winding_number(chains, p), !is_inside ? 0 : alpha < 0.5 ? -1 : 1);
+    ++result[is_inside ? 0 : 1];
+  }
   return result;
 }
 
@@ -174,14 +203,13 @@ TEST(TrimmedAlphaSectors, RandomCubics)
   std::size_t inside = 0, outside = 0;
   for (int run = 0; run < 3; ++run) {
     std::vector<Curve> curves;
-    std::vector<P> all[2];
+    Sites all;
     for (const int shift : {0, 18}) {
       std::vector<P> control_points;
       for (int i = 0; i < 4; ++i)
         control_points.emplace_back(coordinate(random), coordinate(random) + shift);
       curves.push_back(bezier(control_points));
-      for (int i = 0; i <= 400; ++i)
-        all[shift > 0].push_back(curves.back()(i / 400.0));
+      all[shift > 0] = points_along(curves.back());
     }
     const double alpha = (3 + 3 * run) / 16.0;
     const Sector sector = SC::trimmed_alpha_sector(curves[0], curves[1], alpha), exchanged = SC::trimmed_alpha_sector(curves[1], curves[0], 1 - alpha);
@@ -203,33 +231,84 @@ TEST(TrimmedAlphaSectors, RandomCubics)
           EXPECT_NEAR(distance(curves[k](places[i].parameters[k]), places[i].point), places[i].distances[k], 1e-8);
         }
       }
-    const auto boundary = polygons(sector), other_boundary = polygons(exchanged);
-    for (int i = 0; i < 100; ++i) {
-      const P p(coordinate(random) * 1.5 - 4, coordinate(random) * 1.75);
-      double least[2];
-      for (std::size_t k = 0; k < 2; ++k)
-        least[k] = distance(p, *std::min_element(all[k].begin(), all[k].end(), [&](const P& q, const P& r) { return distance(p, q) < distance(p, r); }));
-      const double difference = (1 - alpha) * least[0] - alpha * least[1];
-      if (std::abs(difference) < 0.1)
-        continue;
-      const bool is_inside = (difference < 0) == (alpha < 0.5);
-      const int turns = !is_inside ? 0 : alpha < 0.5 ? -1 : 1;
-      EXPECT_EQ(winding_number(boundary, p), turns);
-      EXPECT_EQ(winding_number(other_boundary, p), -turns);
-      ++(is_inside ? inside : outside);
-    }
+    std::vector<P> queries;
+    for (int i = 0; i < 100; ++i)
+      queries.emplace_back(coordinate(random) * 1.5 - 4, coordinate(random) * 1.75);
+    const auto counts = check_sides(sector, alpha, all, queries);
+    EXPECT_EQ(check_sides(exchanged, 1 - alpha, {all[1], all[0]}, queries), counts);
+    inside += counts[0];
+    outside += counts[1];
   }
   EXPECT_GT(inside, 50U);
   EXPECT_GT(outside, 50U);
 }
 
-TEST(TrimmedAlphaSectors, CurvesThatMeetAndBadInput)
+// Where a segment meets another operand, chains come to that point and leave it. Around each end of the segment there is one.
+TEST(TrimmedAlphaSectors, SegmentsThatMeet)
 {
   const Curve segment = bezier({P(-1, 0), P(1, 0)});
-  for (const Sector& sector : {SC::trimmed_alpha_sector(segment, bezier({P(0, -1), P(0, 1)}), 0.25), SC::trimmed_alpha_sector(segment, P(0.5, 0), 0.25)}) {
-    EXPECT_FALSE(sector.is_complete());
-    EXPECT_TRUE(sector.chains().empty());
+  const auto check = [](const Sector& sector, std::size_t number_of_chains, const P& common, const auto& other_distance) {
+    EXPECT_TRUE(sector.is_complete());
+    EXPECT_EQ(sector.chains().size(), number_of_chains);
+    double nearest = 1;
+    for (const Sector::Chain& chain : sector.chains())
+      EXPECT_TRUE(chain.is_closed);
+    for (const auto& sample : samples(sector)) {
+      EXPECT_NEAR(3 * std::hypot((std::max)(std::abs(sample.point.x()) - 1, 0.0), sample.point.y()), other_distance(sample.point), 1e-9);
+      nearest = (std::min)(nearest, distance(sample.point, common));
+    }
+    EXPECT_LT(nearest, 1e-12);
+  };
+  const P origin(0, 0), end(1, 0), middle(0.5, 0);
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, -4), P(0, 4)}), 0.25), 2, origin, [](const P& p) { return std::abs(p.x()); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(0, 4)}), 0.25), 2, origin, [](const P& p) { return p.y() > 0 ? std::abs(p.x()) : std::hypot(p.x(), p.y()); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(1, 0), P(1, 4)}), 0.25), 1, end, [&](const P& p) { return p.y() > 0 ? std::abs(p.x() - 1) : distance(p, end); });
+  check(SC::trimmed_alpha_sector(segment, bezier({P(0, 0), P(4, 0)}), 0.25), 1, origin, [&](const P& p) { return p.x() > 0 ? std::abs(p.y()) : distance(p, origin); });
+  check(SC::trimmed_alpha_sector(segment, middle, 0.25), 2, middle, [&](const P& p) { return distance(p, middle); });
+  const Sector none = SC::trimmed_alpha_sector(middle, segment, 0.25);   // the point itself is nowhere nearer
+  EXPECT_TRUE(none.is_complete());
+  EXPECT_TRUE(none.chains().empty());
+}
+
+// The two arms of a corner in one end of a segment that leaves it: for 1/8 there are curves within the corner, for 5/16 there are none.
+TEST(TrimmedAlphaSectors, CornerThatMeets)
+{
+  const Curve corner = SC::polyline_curve(std::vector<P>{P(3, -1), P(0, 0), P(3, 1)}), other = bezier({P(0, 0), P(-2, 0)});
+  for (const double alpha : {0.125, 0.3125}) {
+    const Sector sector = SC::trimmed_alpha_sector(corner, other, alpha);
+    EXPECT_TRUE(sector.is_complete());
+    EXPECT_EQ(sector.chains().size(), alpha == 0.125 ? 2U : 1U);
+    EXPECT_EQ(check_sides(sector, alpha, {points_along(corner), points_along(other)}, {P(3, 0.875), P(3, 1.125), P(2, -0.75), P(2.5, 0), P(2, 0), P(-1, 0), P(1, 2)})[0], alpha == 0.125 ? 3U : 5U);
   }
+}
+
+// Curves that cross in points that are not rational.
+TEST(TrimmedAlphaSectors, RandomCubicsThatCross)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> coordinate(0, 16);
+  std::size_t inside = 0;
+  for (const double alpha : {0.125, 0.75}) {
+    std::vector<Curve> curves;
+    for (int k = 0; k < 2; ++k) {
+      std::vector<P> control_points;
+      for (int i = 0; i < 4; ++i)
+        control_points.emplace_back(coordinate(random), coordinate(random));
+      curves.push_back(bezier(control_points));
+    }
+    const Sector sector = SC::trimmed_alpha_sector(curves[0], curves[1], alpha);
+    EXPECT_TRUE(sector.is_complete());
+    std::vector<P> queries;
+    for (int i = 0; i < 100; ++i)
+      queries.emplace_back(coordinate(random), coordinate(random));
+    inside += check_sides(sector, alpha, {points_along(curves[0]), points_along(curves[1])}, queries)[0];
+  }
+  EXPECT_GT(inside, 20U);
+}
+
+TEST(TrimmedAlphaSectors, BadInput)
+{
+  const Curve segment = bezier({P(-1, 0), P(1, 0)});
   for (const double alpha : {-1.0, 0.0, 0.5, 1.0, 2.0})
     EXPECT_THROW(SC::trimmed_alpha_sector(segment, P(0, 1), alpha), SC::Invalid_input);
   EXPECT_THROW(SC::trimmed_alpha_sector(segment, bezier({P(1, 1), P(1, 1)}), 0.25), SC::Invalid_input);

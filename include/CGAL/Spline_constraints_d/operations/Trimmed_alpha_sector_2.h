@@ -62,15 +62,14 @@ private:
   internal::Sector_disks m_disks;
   bool m_is_exchanged;                                                      // the nearer operand is the second one
   double m_factor;                                                          // of the distances
-  bool m_is_complete;
   std::vector<Arc> m_arcs;
   std::vector<std::vector<internal::Sector_disks::Arc>> m_parts_of_arc;     // one; or several, where the normals of a vertex come in several fans
   std::vector<Chain> m_chains;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Trimmed_alpha_sector_2(internal::Sector_disks disks, double factor, bool is_exchanged, bool are_operands_disjoint)
-    : m_disks(std::move(disks)), m_is_exchanged(is_exchanged), m_factor(factor), m_is_complete(are_operands_disjoint && m_disks.is_complete())
+  Trimmed_alpha_sector_2(internal::Sector_disks disks, double factor, bool is_exchanged)
+    : m_disks(std::move(disks)), m_is_exchanged(is_exchanged), m_factor(factor)
   {
     const Upward_rounding_guard guard;
     for (const internal::Free_chains::Chain& chain : m_disks.chains())
@@ -85,7 +84,7 @@ public:
   const std::vector<Chain>& chains() const { return m_chains; }
 
   //! whether all of the sector is proved.
-  bool is_complete() const { return m_is_complete; }
+  bool is_complete() const { return m_disks.is_complete(); }
 
   /*!
   points along an arc, so many that it passes the middles of their chords at no more than a given distance.

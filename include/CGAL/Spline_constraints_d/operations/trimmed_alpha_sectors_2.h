@@ -26,20 +26,17 @@ Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, c
 {
   const Bisected_operands<Kernel> operands(a, b);
   const auto graph = graph_of_crossing_curves<Concurrency_tag, Kernel>(operands.curves, operands.points);
-  bool are_disjoint = true;
   std::vector<bool> arcs, vertices;   // those of the second operand
   std::vector<std::size_t> fronts;    // of the first one
   for (std::size_t i = 0; i < graph->arcs().size(); ++i)
     arcs.push_back(operands.is_on(1, *graph, i));
-  for (const Site_graph_2::Vertex& vertex : graph->vertices()) {
+  for (const Site_graph_2::Vertex& vertex : graph->vertices())
     vertices.push_back(operands.is_at(1, *graph, vertex));
-    are_disjoint = are_disjoint && !(vertices.back() && operands.is_at(0, *graph, vertex));
-  }
-  for (std::size_t f = 0; are_disjoint && f < graph->fronts().size(); ++f)
+  for (std::size_t f = 0; f < graph->fronts().size(); ++f)
     if (const Front& front = graph->fronts()[f]; !(front.is_fan ? vertices : arcs)[front.object])
       fronts.push_back(f);
   const auto scaled = std::make_shared<const Scaled_sites>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
-  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged, are_disjoint};
+  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged};
 }
 
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
@@ -70,7 +67,9 @@ where \f$k\f$ is the greatest one that belongs to a point \f$Y\f$ of the second 
 \f[ |Y - X|^2 k^2 - 2 \langle N, Y - X\rangle k - (c^2 - 1) |N|^2 = 0, \quad k > 0. \f]
 The point belongs to the sector if no other point of the first curve is in that disk. So the sector is a part of the upper envelope of functions of one variable for each side of each curve, which is computed and proved as that of `voronoi_diagram()` is: it is cut where it crosses the self-bisectors of both curves and where feet arrive at ends, and between, one comparison decides.
 
-Where curves meet, or one has a zero derivative or touches itself, the sector is not resolved, and `Trimmed_alpha_sector_2::is_complete()` is false; for curves that meet there are no chains. A crossing of the sector with both self-bisectors in one point, as by symmetry, is decided if it is rational, and all sites there are points, lines and circles.
+Where curves meet, both distances are 0. The chains come to such a point, and leave it again on the other side of the first curve; pieces that are common to both curves are no part of the result.
+
+Where curves touch, or one has a zero derivative or touches itself, the sector is not resolved, and `Trimmed_alpha_sector_2::is_complete()` is false. A crossing of the sector with both self-bisectors in one point, as by symmetry, is decided if it is rational, and all sites there are points, lines and circles.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides of the curves to all cores through TBB. The answers are the same.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.

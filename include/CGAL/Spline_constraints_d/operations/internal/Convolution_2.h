@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_2_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Common_inflections_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
 
@@ -33,11 +34,12 @@ class Convolution_2
 {
   std::array<const Region_elements_2*, 2> m_regions;
   const Sum_interior_2& m_interior;
+  Common_inflections_2 m_inflections;
   std::vector<Convolution_piece_2> m_pieces;
   std::vector<Interval_pair> m_doubtful;
 
 public:
-  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior) : m_regions{&first, &second}, m_interior(interior)
+  Convolution_2(const Region_elements_2& first, const Region_elements_2& second, const Sum_interior_2& interior) : m_regions{&first, &second}, m_interior(interior), m_inflections(first, second)
   {
     for (std::size_t i = 0; i < first.elements().size(); ++i)
       for (std::size_t j = 0; j < second.elements().size(); ++j)
@@ -60,6 +62,8 @@ private:
     const bool can_first_turn = a.turn == Turn::LEFT && !b.is_corner, can_second_turn = b.turn == Turn::LEFT && !a.is_corner;
     if (can_first_turn || can_second_turn)
       add_pieces(elements, can_first_turn && can_second_turn ? curvature(1, b) > curvature(0, a) : can_second_turn);
+    else if (!m_inflections.next_to(elements).empty())
+      return;
     else if (a.turn == Turn::UNKNOWN || b.turn == Turn::UNKNOWN)
       add_unknown_sums(elements, a.turn == Turn::UNKNOWN ? 0 : 1);
   }
@@ -134,6 +138,9 @@ private:
   void add_pieces(const std::array<std::size_t, 2>& elements, std::size_t turning)
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
+    const std::vector<std::size_t> inflections = m_inflections.next_to(elements);
+    if (b.turn == Turn::UNKNOWN && !inflections.empty())
+      return;
     if (b.turn == Turn::UNKNOWN)
       return add_inflection(elements, turning);
     std::array<Convolution_end, 2> ends;
@@ -142,12 +149,24 @@ private:
         ends[e] = *end;
       else
         return;
+    for (const std::size_t inflection : inflections)
+      set_inflection(inflection, elements[1 - turning], 1 - turning, ends);
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
     if (b.turn == Turn::RIGHT && !a.is_corner) {
       if (!piece.is_point())
         add_convex_parts(piece);
     } else
       m_pieces.push_back(piece);
+  }
+
+  // Extends a piece of the moving element to an inflection that both regions have in common.
+  void set_inflection(std::size_t index, std::size_t moving, std::size_t region, std::array<Convolution_end, 2>& ends) const
+  {
+    const Common_inflection& inflection = m_inflections[index];
+    const std::size_t e = moving < inflection.elements[region] ? 1 : 0;
+    const Range &range = ends[e].range;
+    ends[e] = {e == 1 ? Range{range.begin, inflection.range.end} : Range{inflection.range.begin, range.end}, {}};
+    ends[e].inflection = index;
   }
 
   // Where the moving element has begun (e = 0) to have common directions with the turning one, or ceases to (e = 1): in its end, or inside in the first or last direction of the turning element.
@@ -223,7 +242,7 @@ private:
   void add_convex_parts(const Convolution_piece_2& piece)
   {
     constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 0x1p17;
-    std::vector<Range> convex, unknown{piece.range()};
+    std::vector<Range> convex, unknown{without_fold(piece, convex)};
     bool is_shorter = true;   // not where the sum of the curvatures is zero all along; only slowly near points with the same tangent as an inflection of both regions
     for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
@@ -241,6 +260,29 @@ private:
       append(part, joined);
     for (const Range& part : joined)
       m_pieces.push_back(piece.restricted(part));
+  }
+
+  // A piece without its part next to an inflection that both regions have in common, where the sign is known; this is a convex one, if that is positive.
+  Range without_fold(const Convolution_piece_2& piece, std::vector<Range>& convex) const
+  {
+    constexpr int most_halvings = 16;
+    Range result = piece.range();
+    for (const int e : {0, 1})
+      if (const auto index = piece.end(e).inflection) {
+        const Common_inflection& inflection = m_inflections[*index];
+        double share = 1;
+        for (int k = 0; k < most_halvings; ++k, share /= 2) {
+          const double from = e == 0 ? piece.end(0).range.end : piece.end(1).range.begin, far = e == 0 ? (std::min)(inflection.near.end, result.end) : (std::max)(inflection.near.begin, result.begin), t = from + share * (far - from);
+          const Range u = piece.turning_range({t, t});
+          if (!(inflection.near.begin <= u.begin && u.end <= inflection.near.end))
+            continue;
+          if (inflection.is_fold_convex)
+            convex.push_back(e == 0 ? Range{result.begin, t} : Range{t, result.end});
+          (e == 0 ? result.begin : result.end) = t;
+          break;
+        }
+      }
+    return result;
   }
 
   // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.

@@ -159,41 +159,21 @@ private:
     if (p.has_corner() != q.has_corner())
       return false;
     const auto moving = translation(p.moving_arc(), q.moving_arc(), are_opposite);
-    const auto turning = p.has_corner() ? std::optional(difference(q.turning_arc().at(1), p.turning_arc().at(1))) : translation(p.turning_arc(), q.turning_arc(), are_opposite);
+    const auto turning = p.has_corner() ? std::optional(exact_difference(q.turning_arc().at(1), p.turning_arc().at(1))) : translation(p.turning_arc(), q.turning_arc(), are_opposite);
     return moving && turning && sign_of((*moving)[0] + (*turning)[0]) == 0 && sign_of((*moving)[1] + (*turning)[1]) == 0;
   }
 
-  // Where ends are not rational, both are the points with the same exact direction.
+  // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at the same parameter of the moving arc.
   static bool have_equal_ranges(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
     for (const int e : {0, 1}) {
       const Convolution_end &a = p.end(e), &b = q.end(e);
-      if (a.range.begin != b.range.begin || a.range.end != b.range.end || !a.direction || !b.direction || !are_parallel(*a.direction, *b.direction))
+      const bool has_direction = a.direction && b.direction && are_parallel(*a.direction, *b.direction), is_at_inflection = a.inflection && a.inflection == b.inflection, is_cut = !a.direction && !b.direction && a.inflection == b.inflection && a.range.is_number();
+      if (a.range.begin != b.range.begin || a.range.end != b.range.end || !(has_direction || is_at_inflection || is_cut))
         return false;
     }
-    return have_same_operands(p, q, false);
-  }
-
-  static Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
-
-  // What moves an arc to another one, possibly with the opposite direction.
-  static std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc_2& b, bool are_opposite)
-  {
-    const Exact_pair result = difference(b.at(are_opposite ? 1 : 0), a.at(0));
-    const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
-    if (f[0].degrees() != g[0].degrees() || f[2].degrees() != g[2].degrees() || f[0].degrees() != f[2].degrees())
-      return std::nullopt;
-    const auto &w = f[2].coefficients(), &v = g[2].coefficients();
-    const std::size_t n = w.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::size_t l = are_opposite ? n - 1 - k : k;
-      if (w[k] != v[l])
-        return std::nullopt;
-      for (std::size_t c = 0; c < 2; ++c)
-        if (f[c].coefficients()[k] + result[c] * w[k] != g[c].coefficients()[l])
-          return std::nullopt;
-    }
-    return result;
+    const Range &turning = p.turning_element().range, &other = q.turning_element().range;   // which has each direction once
+    return turning.begin == other.begin && turning.end == other.end && have_same_operands(p, q, false);
   }
 };
 

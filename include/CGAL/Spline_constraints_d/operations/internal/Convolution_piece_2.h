@@ -38,6 +38,7 @@ struct Convolution_end
   std::array<std::optional<std::size_t>, 2> joints;
   std::optional<Exact_pair> direction{};   // of the piece, in the exact end; not where a piece is cut somewhere near a cusp
   std::optional<Exact_pair> point{};       // if it is found to be rational
+  std::optional<std::size_t> inflection{}; // that both regions have in common there
 };
 
 /*
@@ -49,10 +50,11 @@ class Convolution_piece_2
   std::array<std::size_t, 2> m_elements;   // of the two regions
   std::size_t m_turning;                   // the region of the turning element
   std::array<Convolution_end, 2> m_ends;
+  bool m_is_double = false;   // the same arc, with the same parameter
 
 public:
   Convolution_piece_2(const std::array<const Region_elements_2*, 2>& regions, const std::array<std::size_t, 2>& elements, std::size_t turning, const std::array<Convolution_end, 2>& ends)
-    : m_regions(regions), m_elements(elements), m_turning(turning), m_ends(ends)
+    : m_regions(regions), m_elements(elements), m_turning(turning), m_ends(ends), m_is_double((ends[0].inflection || ends[1].inflection) && element(0).turn == element(1).turn)
   {}
 
   const std::array<Convolution_end, 2>& ends() const { return m_ends; }
@@ -61,6 +63,7 @@ public:
 
   const Convolution_end& end(int e) const { return m_ends[static_cast<std::size_t>(e)]; }
   bool has_corner() const { return element(m_turning).is_corner; }
+  const Region_element& turning_element() const { return element(m_turning); }
   const Site_arc_2& turning_arc() const { return arc(m_turning); }
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
@@ -103,7 +106,7 @@ public:
     Exact_rational u(1);
     if (!has_corner()) {
       const Exact_pair direction = moving_arc().direction_at(t);
-      const std::optional<Exact_rational> candidate = simple_number(turning_parameter({interval_of(direction[0]), interval_of(direction[1])}));
+      const std::optional<Exact_rational> candidate = m_is_double ? t : simple_number(turning_parameter({interval_of(direction[0]), interval_of(direction[1])}));
       if (!candidate || !are_parallel(direction, turning_arc().direction_at(*candidate)))
         return std::nullopt;
       u = *candidate;
@@ -159,17 +162,17 @@ public:
     const Interval square = squared_norm(b[1]), curvature = moving.turn == Turn::STRAIGHT ? Interval(0) : cross(b[1], b[2]) / (square * CGAL::sqrt(square));
     if (turning.is_corner)
       return {turning_arc().point({1, 1}) + b[0], b[1], Interval(1), curvature};
-    const Curve_jet a = turning_arc().jet(turning_parameter(b[1]), 2);
+    const Curve_jet a = turning_arc().jet(turning_range(range, b[1]), 2);
     if (moving.turn == Turn::STRAIGHT)
       return {a[0] + b[0], b[1], Interval(1), curvature};
-    const Interval ratio = dot(a[1], b[1]) / square, factor = Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
+    const Interval ratio = dot(a[1], b[1]) / square, factor = m_is_double ? Interval(2) : Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
     return {a[0] + b[0], b[1], factor, curvature / factor};
   }
 
   // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
   int sign_of_speed(const Range& range) const
   {
-    const Curve_jet b = moving_arc().jet(range, 2), a = turning_arc().jet(turning_parameter(b[1]), 2);
+    const Curve_jet b = moving_arc().jet(range, 2), a = turning_arc().jet(turning_range(range, b[1]), 2);
     const Interval ratio = dot(a[1], b[1]) / squared_norm(b[1]);
     return certain_sign(cross(a[1], a[2]) + ratio * CGAL::square(ratio) * cross(b[1], b[2]));
   }
@@ -181,9 +184,12 @@ public:
   std::array<double, 2> parameters(double t) const
   {
     std::array<double, 2> result{t, t};
-    result[m_turning] = has_corner() ? 1 : turning_parameter(moving_arc().jet({t, t}, 1)[1]).middle();
+    result[m_turning] = has_corner() ? 1 : turning_range({t, t}).middle();
     return result;
   }
+
+  // The parameters of the turning arc in a range of the moving one.
+  Range turning_range(const Range& range) const { return turning_range(range, moving_arc().jet(range, 1)[1]); }
 
   const Region_element& element(std::size_t region) const { return m_regions[region]->elements()[m_elements[region]]; }
   const Site_arc_2& arc(std::size_t region) const { return m_regions[region]->arcs()[element(region).arc]; }
@@ -199,7 +205,8 @@ public:
       const auto &a = p.m_ends[p_end].joints[region], &b = q.m_ends[q_end].joints[region];
       return a && b && *a == *b && p.m_elements[1 - region] == q.m_elements[1 - region] && p.element(1 - region).turn != Turn::STRAIGHT;
     };
-    return (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1) || (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) || (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
+    const auto &inflection = p.m_ends[p_end].inflection, &other = q.m_ends[q_end].inflection;
+    return (inflection && inflection == other) || (have_common_place(0) && have_common_place(1)) || have_common_direction(0) || have_common_direction(1) || (have_common_place(0) && are_opposite(p, p_end, q, q_end, 1)) || (have_common_place(1) && are_opposite(p, p_end, q, q_end, 0));
   }
 
 private:
@@ -230,6 +237,19 @@ private:
     if (m_ends[end].joints[region])
       return m_regions[region]->place_of_joint(*m_ends[end].joints[region]);
     return element(region).is_corner ? std::optional(m_regions[region]->place_of_joint(m_elements[region])) : std::nullopt;
+  }
+
+  // With the direction of the moving arc. An end at an inflection is that of no element of the turning arc alone.
+  Range turning_range(const Range& range, const Interval_pair& direction) const
+  {
+    if (m_is_double)
+      return range;
+    Range result = turning_parameter(direction);
+    const Range& all = element(m_turning).range;
+    for (const Convolution_end& end : m_ends)
+      if (const bool is_behind = end.range.middle() > all.middle(); end.inflection && (is_behind ? result.end == all.end : result.begin == all.begin))
+        result = united(result, end.range);
+    return result;
   }
 
   // Where the derivative of the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where the slope is not certain.

@@ -49,7 +49,7 @@ inline Curvature_bounds common_part(const Curvature_bounds& a, const Curvature_b
 // f / q and its derivatives.
 struct Curvature_quotient
 {
-  Interval f, q, fu, qu, fv, qv, fvv, qvv, fuv, quv;
+  Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
 
   // The common part with the mean value forms around the middle of the ranges.
   Curvature_quotient around(const Curvature_quotient& middle, const Interval& shift_u, const Interval& shift_v) const
@@ -82,7 +82,8 @@ struct Curvature_quotient
   {
     Curvature_bounds k;
     const Interval two(2), square(0, (std::max)(q.sup(), 0.0)), r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
-    k.value = Interval((two * m / Interval((r - f).sup())).inf(), std::numeric_limits<double>::infinity());
+    const double most = (r - f).sup();   // 0 where the points are the same
+    k.value = Interval(most > 0 ? (two * m / Interval(most)).inf() : std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity());
     if (!(q.inf() > 0 && r.inf() > 0))
       return k;
     k.value = common_part(k.value, (f + r) / (two * q));

@@ -208,11 +208,11 @@ private:
   {
     for (Cluster& cluster : m_clusters)
       for (const bool end : {false, true}) {
-        const auto& continuation = m_graph.continuation({cluster.arc, end});
-        const Cluster* next = continuation ? cluster_at(continuation->end) : nullptr;
+        const auto continuation = m_curvature.continuation({cluster.arc, end});
+        const Cluster* next = continuation ? cluster_at(*continuation) : nullptr;
         if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of({cluster.arc, end})))
           continue;
-        const End_state state = next->ends[continuation->end.is_end];
+        const End_state state = next->ends[continuation->is_end];
         cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
       }
   }
@@ -251,7 +251,7 @@ private:
     std::erase_if(m_clusters, [&](const Cluster& cluster) { return cluster.bounds.value.sup() < (Interval(greatest) / width).inf(); });
     for (const Arc_end& other : ends)
       std::erase_if(m_clusters, [&](const Cluster& cluster) {
-        return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_part, own, other, cluster.range).are_all_lower(greatest);
+        return other != own && cluster.arc == other.arc && cluster.touches(other.is_end) && cluster.corner.least < greatest && Corner_disks(m_graph, m_curvature, m_part, own, other, cluster.range).are_all_lower(greatest);
       });
   }
 
@@ -262,12 +262,14 @@ private:
     const double reach = most_reach * m_part.range.width() * speed(own) / speed(other);
     const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc && (other.is_end ? 1 - cluster.range.end : cluster.range.begin) <= reach; };
     auto all = united_at(other, is_part);
-    const auto least = all ? Corner_disks(m_graph, m_part, own, other, all->range).least_curvature_of_only_maximum() : std::nullopt;
-    if (!least)
+    const auto maximum = all ? Corner_disks(m_graph, m_curvature, m_part, own, other, all->range).only_maximum() : std::nullopt;
+    if (!maximum)
       return 0;
-    all->bounds.value = Interval(*least, std::numeric_limits<double>::infinity());
-    all->least = *least;
-    all->corner = {own.parameter(), (Interval(*least) * Interval(m_part.range.width())).inf()};
+    all->least = maximum->least_curvature;
+    all->bounds.value = Interval(all->least, std::numeric_limits<double>::infinity());
+    all->corner = {own.parameter(), (Interval(all->least) * Interval(m_part.range.width())).inf()};
+    if (maximum->is_in_vertex)
+      all->ends[other.is_end] = End_state::MAXIMUM;
     replace(is_part, *all);
     return all->corner.least;
   }

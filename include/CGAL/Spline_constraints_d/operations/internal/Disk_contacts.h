@@ -205,7 +205,7 @@ private:
     for (const bool end : {false, true}) {
       const Arc_end own{cluster.arc, end};
       const auto& next = m_graph.nearly_smooth_continuation(own);
-      const Cluster* other = next && cluster.touches(end) ? m_clusters.cluster_at(next->end) : nullptr;
+      const Cluster* other = next && cluster.touches(end) && m_curvature.is_arc_scaled(cluster.arc) == m_curvature.is_arc_scaled(next->end.arc) ? m_clusters.cluster_at(next->end) : nullptr;
       if (other == nullptr || cluster.arc == other->arc || cluster.ends[end] != End_state::UNKNOWN || other->ends[next->end.is_end] != End_state::UNKNOWN)
         continue;
       m_are_known = m_are_known && !is_part_at(m_graph.vertex_of(own)) && cluster.ends[!end] != End_state::UNKNOWN && other->ends[!next->end.is_end] != End_state::UNKNOWN;
@@ -306,14 +306,14 @@ private:
   // What disks touch if the maximum is not in the arc, but beyond its end; nothing if the maximum cannot be there.
   std::optional<Located_contact> contact_beyond(const Arc_end& end)
   {
-    const auto& continuation = m_graph.continuation(end);
+    const auto continuation = m_curvature.continuation(end);
     const std::size_t vertex = m_graph.vertex_of(end);
     if (!continuation)
       return Located_contact{{Disk_contact::Kind::VERTEX, vertex}};
-    const Cluster* next = m_clusters.cluster_at(continuation->end);
-    if (next == nullptr || next->ends[continuation->end.is_end] == End_state::MAXIMUM || next->ends[continuation->end.is_end] == End_state::TOO_LOW)
+    const Cluster* next = m_clusters.cluster_at(*continuation);
+    if (next == nullptr || next->ends[continuation->is_end] == End_state::MAXIMUM || next->ends[continuation->is_end] == End_state::TOO_LOW)
       return std::nullopt;
-    if (next->ends[continuation->end.is_end] == End_state::NOT_A_MAXIMUM)
+    if (next->ends[continuation->is_end] == End_state::NOT_A_MAXIMUM)
       m_are_known = false;
     return contact_with(*next);
   }
@@ -322,11 +322,11 @@ private:
   {
     const std::size_t vertex = m_graph.vertex_of(end);
     for (const Arc_end& other : m_graph.vertices()[vertex].ends) {
-      const Cluster* cluster = m_clusters.cluster_at(other);
+      const Cluster* cluster = m_curvature.is_arc_scaled(other.arc) == m_curvature.is_arc_scaled(end.arc) ? m_clusters.cluster_at(other) : nullptr;
       if (cluster != nullptr && cluster->ends[other.is_end] != End_state::MAXIMUM)
         return;   // the maximum is in the other arc, or it has the vertex as a possible move
     }
-    if (const auto& continuation = m_graph.continuation(end); continuation && m_clusters.cluster_at(continuation->end) == nullptr)
+    if (const auto continuation = m_curvature.continuation(end); continuation && m_clusters.cluster_at(*continuation) == nullptr)
       return;   // it is too low there
     if (m_front.is_fan && m_front.object == vertex) {
       m_are_known = false;

@@ -49,6 +49,13 @@ public:
   bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
   bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
+  // How an arc goes on, if both are scaled or neither is: with one maximum of the curvature for both.
+  std::optional<Arc_end> continuation(const Arc_end& end) const
+  {
+    const auto& smooth = m_graph.continuation(end);
+    return smooth && is_arc_scaled(end.arc) == is_arc_scaled(smooth->end.arc) ? std::optional(smooth->end) : std::nullopt;
+  }
+
   Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
 
   // Over a part of a front and a range of an arc, with the enclosures of that.

@@ -114,19 +114,35 @@ private:
   {
     const Free_end& last = end(piece, true);
     switch (last.kind) {
-    case Free_end::Kind::FRONT_END: return first_piece(front(piece).next);
+    case Free_end::Kind::FRONT_END: return first_piece(front(piece).next, last.kind);
+    case Free_end::Kind::POINT: return piece_around_point(piece.front);
     case Free_end::Kind::CONTACT: return piece_across(piece, center(piece.front, last));
     default: return none;
     }
   }
 
-  std::size_t first_piece(std::size_t f) const
+  std::size_t first_piece(std::size_t f, Free_end::Kind kind) const
   {
     const std::size_t first = m_first_piece_of[f], last = m_first_piece_of[f + 1];
     if (first == last)
       return none;
     const std::size_t i = m_graph.fronts()[f].is_reversed ? last - 1 : first;
-    return end(m_pieces[i], false).kind == Free_end::Kind::FRONT_END ? i : none;
+    return end(m_pieces[i], false).kind == kind ? i : none;
+  }
+
+  // Where disks shrink to a vertex, the chain goes on along the other side of the arc; or, where disks there touch a next arc instead, along the other side of that.
+  std::size_t piece_around_point(std::size_t f) const
+  {
+    const Front& last = m_graph.fronts()[f];
+    Arc_end end{last.object, !last.is_reversed};
+    for (std::size_t k = 0; k < m_graph.vertices()[m_graph.vertex_of(end)].ends.size(); ++k) {
+      const Front other{false, end.arc, end.is_end};   // departs from the vertex
+      const std::size_t index = 2 * end.arc + end.is_end;
+      if (const std::size_t piece = first_piece(index, Free_end::Kind::POINT); piece != none || !m_ranges[index].undecided.empty())
+        return piece;
+      end = m_graph.next_around_vertex(other, end);
+    }
+    return none;
   }
 
   // The piece that begins where another one ends in a second contact.

@@ -13,10 +13,10 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Where a range of a front ends in which disks are free: where the front ends; where the disk has a second contact; or somewhere in a range that is not decided.
+// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; or somewhere in a range that is not decided.
 struct Free_end
 {
-  enum class Kind { FRONT_END, CONTACT, UNDECIDED };
+  enum class Kind { FRONT_END, POINT, CONTACT, UNDECIDED };
 
   Kind kind = Kind::FRONT_END;
   Range location{};             // holds the parameter

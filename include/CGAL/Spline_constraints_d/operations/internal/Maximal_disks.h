@@ -210,9 +210,11 @@ private:
     return true;
   }
 
-  // A part at the tip in a corner.
+  // A part at the tip in a corner, between arcs that are not scaled.
   bool append_tip(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
+    if (std::any_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); }))
+      return false;
     const Corner_tip tip(m_graph, part);
     if (const auto only = tip.only_contact(candidates)) {
       append(*only, part.range);

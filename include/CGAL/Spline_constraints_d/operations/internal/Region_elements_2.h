@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,28 @@ namespace Spline_constraints {
 namespace internal {
 
 inline Interval cross(const Interval_pair& a, const Interval_pair& b) { return dot(turned_left(a), b); }
+
+inline Exact_pair exact_difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
+
+// What moves an arc to another one, possibly with the opposite direction.
+inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc_2& b, bool are_opposite)
+{
+  const Exact_pair result = exact_difference(b.at(are_opposite ? 1 : 0), a.at(0));
+  const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
+  if (f[0].degrees() != g[0].degrees() || f[2].degrees() != g[2].degrees() || f[0].degrees() != f[2].degrees())
+    return std::nullopt;
+  const auto &w = f[2].coefficients(), &v = g[2].coefficients();
+  const std::size_t n = w.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t l = are_opposite ? n - 1 - k : k;
+    if (w[k] != v[l])
+      return std::nullopt;
+    for (std::size_t c = 0; c < 2; ++c)
+      if (f[c].coefficients()[k] + result[c] * w[k] != g[c].coefficients()[l])
+        return std::nullopt;
+  }
+  return result;
+}
 
 // How the direction of a boundary changes along a part of it.
 enum class Turn { LEFT, RIGHT, STRAIGHT, UNKNOWN };

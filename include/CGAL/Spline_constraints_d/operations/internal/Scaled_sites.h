@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <cstddef>
 #include <utility>
@@ -25,6 +26,16 @@ struct Scaled_sites
   Scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
     : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)), excess(interval_of(Exact_rational(square - 1)))
   {}
+
+  // The vertices that are not on scaled arcs.
+  std::vector<bool> points(const Site_graph_2& graph) const
+  {
+    std::vector<bool> result(vertices);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (const Arc_end& end : graph.vertices()[i].ends)
+        result[i] = result[i] && !arcs[end.arc];
+    return result;
+  }
 };
 
 } // namespace internal

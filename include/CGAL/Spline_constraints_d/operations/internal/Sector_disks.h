@@ -25,6 +25,8 @@ All points P that are c times as far from some sites B of a graph, which are sca
 
 On the way from a point X of A along a normal the distance t from X grows by 1, and that from B by less than c in units of c: so t = |P - B| / c for one P. Let K(u) be the curvature of the disk around P through X, in units of the normal, where u runs along a front of A: it is the greatest one of disks that are touched by B when they are scaled.
 P belongs to the result if no other point of A is in that disk: K is not below the curvature of the largest disk without A inside. So the result consists of those stretches of the upper envelope of both that belong to B, and ends of these are crossings: of the result and the self-bisector of A, where it goes over to another front, or of B.
+
+Where A and B meet, disks shrink to a point. Around it, the result has two curves for each arc of A there, or for several next to each other: it goes on from one to the other.
 */
 class Sector_disks
 {
@@ -111,6 +113,8 @@ private:
     return kind == Disk_contact::Kind::ARC ? m_curvature.is_arc_scaled(index) : kind == Disk_contact::Kind::VERTEX && m_curvature.is_vertex_scaled(index);
   }
 
+  bool is_at_scaled_vertex(const Front& front, bool is_end) const { return !front.is_fan && m_curvature.is_vertex_scaled(m_graph->vertex_of({front.object, is_end})); }
+
   // The stretches that touch B, those that follow each other in one range.
   Free_ranges free_ranges(std::size_t front) const
   {
@@ -144,7 +148,7 @@ private:
     const double u = is_end ? stretches[i].range.end : stretches[i].range.begin;
     const bool is_last = is_end ? i + 1 == stretches.size() : i == 0;
     if (stretches[i].events[is_end] == Disk_event::NONE && is_last)
-      return {Free_end::Kind::FRONT_END, {u, u}};
+      return {is_at_scaled_vertex(m_graph->fronts()[front], is_end) ? Free_end::Kind::POINT : Free_end::Kind::FRONT_END, {u, u}};
     if (is_last || stretches[i].events[is_end] == Disk_event::UNRESOLVED)
       return {Free_end::Kind::UNDECIDED, {u, u}};
     const Disk_stretch& other = stretches[is_end ? i + 1 : i - 1];
@@ -160,7 +164,7 @@ private:
 template <class Concurrency_tag>
 Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, const std::vector<std::size_t>& fronts)
 {
-  const Site_tree_2 tree(*graph);
+  const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature curvature(*graph, scaled.get());
   std::vector<std::vector<Disk_stretch>> stretches(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {

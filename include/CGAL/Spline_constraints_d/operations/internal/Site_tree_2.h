@@ -41,12 +41,13 @@ private:
   std::vector<Node> m_nodes;   // the root comes first
 
 public:
-  explicit Site_tree_2(const Site_graph_2& graph)
+  // Vertices on arcs are sites as well if that is asked for.
+  explicit Site_tree_2(const Site_graph_2& graph, const std::vector<bool>& are_sites = {})
   {
     for (std::size_t i = 0; i < graph.arcs().size(); ++i)
       m_items.push_back({true, i, graph.arcs()[i].point(Range())});
     for (std::size_t i = 0; i < graph.vertices().size(); ++i)
-      if (graph.vertices()[i].ends.empty())
+      if (graph.vertices()[i].ends.empty() || (i < are_sites.size() && are_sites[i]))
         m_items.push_back({false, i, graph.vertices()[i].point});
     if (!m_items.empty())
       build(0, m_items.size());
