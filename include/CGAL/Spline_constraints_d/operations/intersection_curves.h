@@ -6,7 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Contact_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Implicit_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_on_implicit_patch.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <array>
@@ -18,6 +20,28 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
+
+// The common curves of two parametric surfaces, one of which is an Implicit_patch. Nothing if none is, or not all is proved while the equations in all parameters may tell of more.
+inline std::optional<Solved_part> curves_on_implicit_patches(const Surface_equations& surfaces, const Solver_options& options)
+{
+  if (!surfaces.has_system() || !surfaces.has_all_parameters())
+    return std::nullopt;
+  std::optional<Solved_part> rest;
+  for (const std::size_t implicit : {0, 1}) {
+    const Spline_patch<3>& surface = *surfaces.surface(implicit).patch;
+    const std::optional<Power_polynomial> polynomial = implicit_equation(surface);
+    const std::optional<Implicit_patch> patch = polynomial ? Implicit_patch::make(surface, *polynomial) : std::nullopt;
+    if (!patch)
+      continue;
+    const Curves_on_implicit_patch curves(surfaces, implicit, *patch);
+    std::optional<Solved_part> found = curves(options);
+    if (found && found->solutions.is_complete())
+      return found;
+    if (found && !curves.has_sides())
+      rest = std::move(found);
+  }
+  return rest;
+}
 
 // The curves that satisfy the equations of two surfaces; other equations, if these are singular along curves.
 inline Solved_part common_curves(Surface_equations surfaces, const Solver_options& options)
@@ -65,14 +89,15 @@ inline Solved_part common_curves(Surface_equations surfaces, const Solver_option
 all curves that two surfaces have in common, with proofs of their number and of how they are connected; with a plane as one of the surfaces, plane sections and contour lines of the other one.
 
 Operands are taken exactly, and all is decided by `solve_curves()`: no closed curve is lost, however small, nothing is joined by distance. Of a parametric surface and a plane, sphere or other implicit surface \f$f = 0\f$ the equation is
-\f$f(S(u,v)) = 0\f$; of two parametric surfaces \f$A(u,v) = B(s,t)\f$, three equations in four unknowns, or one in two if both are polynomial height fields over the same two coordinates; of two implicit ones \f$f = g = 0\f$ in space. An
+\f$f(S(u,v)) = 0\f$; of two parametric surfaces \f$A(u,v) = B(s,t)\f$, three equations in four unknowns, or one in two if both are polynomial height fields over the same two coordinates; of two implicit ones \f$f = g = 0\f$ in space. Of a
+parametric surface that is proved to be all of an equation \f$f = 0\f$ of degree four at most, or the part of it between planes that its edges lie in, as rectangles, spheres, cylinders, cones, tori and their pieces are, and another parametric one, it is \f$f(B(s,t)) = 0\f$ as well. An
 implicit surface that ends at its box within the bounds of a parametric one adds the coordinates as unknowns.
 
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
 The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found, or two of them; and of two parametric surfaces, where an
 equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide, and what is near a pole that lies on the other surface. A curve along an edge, a seam or a break is found where one equation
-says so, as it does of a parametric surface and an implicit one, and along contacts of two parametric ones that both have an equation; at edges and seams only of a surface without a pole.
+says so, as it does of a parametric surface and an implicit one or one with an equation, where it is on an edge of both if the planes of the edge separate them, and along contacts of two parametric ones that both have an equation; at edges and seams only of a surface without a pole.
 
 \tparam A,B models of `ParametricSurface_3`, objects of CGAL with a conversion to one of these, `CGAL::Plane_3`, `CGAL::Sphere_3`, or `Implicit_surface_3`, not both `CGAL::Plane_3`. Both have the same kernel, which is that of the result; `Implicit_surface_3` goes with any, two of them have results in
         `CGAL::Simple_cartesian<double>`.
@@ -90,7 +115,9 @@ template <class A, class B>
 Surface_intersection<internal::Common_surface_kernel<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();
-  std::vector<internal::Solved_part> parts{internal::common_curves(internal::Surface_equations(internal::surface_shape(a), internal::surface_shape(b)), options)};
+  internal::Surface_equations surfaces(internal::surface_shape(a), internal::surface_shape(b));
+  std::optional<internal::Solved_part> curves = internal::curves_on_implicit_patches(surfaces, options);
+  std::vector<internal::Solved_part> parts{curves ? std::move(*curves) : internal::common_curves(std::move(surfaces), options)};
   return Surface_intersection<internal::Common_surface_kernel<A, B>>(std::move(parts));
 }
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/internal/Echelon_form.h>
-#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/internal/patch_cells.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ namespace internal {
 The polynomial f of a given degree with f(S) = 0, for a surface S = X/w, if there is one up to a factor.
 
 On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f, which are solved exactly on
-the first piece and tested on the others.
+the first piece, and f is composed with all of them.
 */
 class Implicit_equation
 {
@@ -52,23 +52,19 @@ public:
     });
     if (rows.rank() + 1 != m_monomials.size())
       return std::nullopt;
-    const std::vector<Exact_rational> coefficients = rows.orthogonal_vector(m_monomials.size());
-    return vanishes_everywhere(coefficients) ? std::optional(polynomial(coefficients)) : std::nullopt;
+    Power_polynomial result = polynomial(rows.orthogonal_vector(m_monomials.size()));
+    return vanishes_everywhere(result) ? std::optional(std::move(result)) : std::nullopt;
   }
 
 private:
-  bool vanishes_everywhere(const std::vector<Exact_rational>& coefficients) const
+  bool vanishes_everywhere(const Power_polynomial& polynomial) const
   {
     bool result = true;
-    const auto cells = [&](int axis) { return static_cast<int>(m_surface.breaks(axis).size()) - 2; };
-    for_each_index({cells(0), cells(1)}, [&](const std::vector<int>& cell) {
-      visit_points(cell, [&](const std::vector<Exact_rational>& row) {
-        Exact_rational sum(0);
-        for (std::size_t i = 0; i < row.size(); ++i)
-          sum += row[i] * coefficients[i];
-        result = result && sum == 0;
-        return result;
-      });
+    for_each_cell(m_surface, [&](const Patch_cell& cell) {
+      if (result) {
+        const auto [least, greatest] = composed(polynomial, m_degree, cell.functions).bounds();
+        result = least == 0 && greatest == 0;
+      }
     });
     return result;
   }
