@@ -136,7 +136,7 @@ public:
     const Curve_vertex& vertex = set.vertices()[end.vertex];
     const auto has_it = [&](const Undecided_region& region) { return std::find(region.vertices.begin(), region.vertices.end(), end.vertex) != region.vertices.end(); };
     const auto is_one_of = [&](const std::vector<internal::Part_vertex>& points) { return std::find(points.begin(), points.end(), end) != points.end(); };
-    const bool is_undecided = vertex.is_on_inequality || is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
+    const bool is_undecided = (vertex.is_on_inequality && !m_parts[arc.part].surfaces.has_edges_on_inequalities()) || is_one_of(m_unmatched) || std::any_of(set.undecided().begin(), set.undecided().end(), has_it);
     return special_point(curve.is_closed                                   ? curve.kind()
                          : vertex.is_singular || is_one_of(m_pinch_points) ? Intersection_kind::TANGENT
                          : is_undecided                                    ? Intersection_kind::UNDECIDED
@@ -193,7 +193,7 @@ public:
   //! number of systems that were solved: one, but for self-intersections of a surface with several pieces.
   std::size_t number_of_parts() const { return m_parts.size(); }
 
-  //! the curves of a part as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates; then, if they are needed, the coordinates in space.
+  //! the curves of a part as the solver found them: its unknowns are the parameters of the surfaces that have some, of the first one only, if both are height fields over the same coordinates, and of one only, if the other one is given by its equation; then, if they are needed, the coordinates in space.
   const Curve_solution_set_d& solutions(std::size_t part = 0) const { return m_parts[part].solutions; }
 
   //! the equations that were solved, for `curve_differentials()` and `fit_spline()`. \pre The bounds of the surfaces meet, as they do if there is a curve.
@@ -226,7 +226,7 @@ private:
   {
     if (!surfaces.is_parametric(surface))
       return {};
-    return {surfaces.parameter(surface, 0)(unknowns), surfaces.parameter(surface, 1)(unknowns)};
+    return surfaces.parameters(surface, unknowns);
   }
 };
 

@@ -37,6 +37,7 @@ public:
 private:
   Intersection_kind m_kind;
   std::array<std::vector<Range>, 2> m_ranges;   // of parametric surfaces
+  std::array<std::array<double, 2>, 2> m_parameters{};
   std::array<std::array<bool, 2>, 2> m_is_at_end{};
   Point m_point;
 
@@ -48,13 +49,19 @@ public:
     for (const Range& range : box)
       middle.push_back(internal::middle_of(range));
     m_point = internal::kernel_object<Kernel, Point>(surfaces.point(middle));
-    for (std::size_t surface = 0; surface < 2; ++surface)
-      for (int axis = 0; axis < 2 && surfaces.is_parametric(surface); ++axis) {
-        const internal::Affine_function& parameter = surfaces.parameter(surface, axis);
-        const Range range = parameter.of(box[parameter.unknown]), domain = surfaces.parameter_domain(surface, axis);
+    for (std::size_t surface = 0; surface < 2; ++surface) {
+      if (!surfaces.is_parametric(surface))
+        continue;
+      std::vector<double> unknowns;
+      for (const Exact_rational& x : middle)
+        unknowns.push_back(to_nearest_double(x));
+      m_parameters[surface] = surfaces.parameters(surface, unknowns);
+      for (const Range& range : surfaces.parameter_ranges(surface, box)) {
+        const Range domain = surfaces.parameter_domain(surface, static_cast<int>(m_ranges[surface].size()));
+        m_is_at_end[surface][m_ranges[surface].size()] = range.first == range.second && (range.first == domain.first || range.first == domain.second);
         m_ranges[surface].push_back(range);
-        m_is_at_end[surface][axis] = range.first == range.second && (range.first == domain.first || range.first == domain.second);
       }
+    }
   }
 #endif
 
@@ -64,13 +71,13 @@ public:
   //! whether a surface, 0 or 1, has parameters: planes, spheres and implicit surfaces have none.
   bool has_parameters(std::size_t surface) const { return !m_ranges[surface].empty(); }
 
-  //! the range that the parameter of a surface along an axis, 0 or 1, lies in. \pre It has parameters.
+  //! the range that the parameter of a surface along an axis, 0 or 1, lies in; near the seam of a surface that is given by its equation the range begins before the seam. \pre It has parameters.
   const Range& parameter_range(std::size_t surface, std::size_t axis) const { return m_ranges[surface][axis]; }
 
-  //! the middle of the range, rounded to double. \pre It has parameters.
-  double parameter(std::size_t surface, std::size_t axis) const { return to_nearest_double(internal::middle_of(m_ranges[surface][axis])); }
+  //! the parameter in the middle of the ranges, rounded to double. \pre It has parameters.
+  double parameter(std::size_t surface, std::size_t axis) const { return m_parameters[surface][axis]; }
 
-  //! whether it is at an end of the range of a parameter: on an edge or a seam, by proof.
+  //! whether it is at an end of the range of a parameter: on an edge or a seam, by proof. Not known of a surface that is given by its equation.
   bool is_at_end(std::size_t surface, std::size_t axis) const { return m_is_at_end[surface][axis]; }
 
   //! the point in the middle of the ranges.

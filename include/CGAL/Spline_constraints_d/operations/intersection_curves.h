@@ -7,8 +7,10 @@
 #include <CGAL/Spline_constraints_d/operations/Surface_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Contact_curves.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curves_through_poles.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Implicit_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Pole_systems.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
+#include <CGAL/Spline_constraints_d/operations/internal/curves_on_implicit_patch.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <array>
@@ -46,6 +48,28 @@ public:
   }
 };
 
+// The common curves of two parametric surfaces, one of which is an Implicit_patch. Nothing if none is, or not all is proved while the equations in all parameters may tell of more.
+inline std::optional<Solved_part> curves_on_implicit_patches(const Surface_equations& surfaces, Equations_of_surfaces& equations, const Solver_options& options)
+{
+  if (!surfaces.has_system() || !surfaces.has_all_parameters())
+    return std::nullopt;
+  std::optional<Solved_part> rest;
+  for (const std::size_t implicit : {0, 1}) {
+    const Spline_patch<3>& surface = *surfaces.surface(implicit).patch;
+    const Power_polynomial* const polynomial = equations(implicit);
+    const std::optional<Implicit_patch> patch = polynomial != nullptr ? Implicit_patch::make(surface, *polynomial) : std::nullopt;
+    if (!patch)
+      continue;
+    const Curves_on_implicit_patch curves(surfaces, implicit, *patch);
+    std::optional<Solved_part> found = curves(options);
+    if (found && found->solutions.is_complete())
+      return found;
+    if (found && !curves.has_sides())
+      rest = std::move(found);
+  }
+  return rest;
+}
+
 // The curves of two parametric surfaces with poles that lie on the other one, by equations that are regular there, if that proves all of them.
 inline std::optional<Solved_part> curves_with_poles(const Surface_equations& surfaces, const std::vector<Common_pole>& poles, Equations_of_surfaces& equations, const Solver_options& options,
                                                     const Curve_search& search)
@@ -62,14 +86,13 @@ inline std::optional<Solved_part> curves_with_poles(const Surface_equations& sur
 }
 
 // The curves that satisfy the equations of two surfaces; other equations, if these are singular along curves, or at poles.
-inline Solved_part common_curves(Surface_equations surfaces, const Solver_options& options)
+inline Solved_part common_curves(Surface_equations surfaces, Equations_of_surfaces& equations, const Solver_options& options)
 {
   if (!surfaces.has_system())
     return {std::move(surfaces), Curve_solution_set_d({}, {}, {}, {}, {}, Summary())};
   Curve_search search{.closed_unknowns = surfaces.closed_unknowns()};
   for (const Surface_pole& pole : surfaces.poles())
     search.points.emplace_back(pole.unknown, pole.value);
-  Equations_of_surfaces equations(surfaces);
   std::vector<Common_pole> poles;
   if (!surfaces.has_coordinates())
     poles = Common_poles(surfaces, [&](std::size_t surface) { return equations(surface); }, options)();
@@ -116,14 +139,15 @@ inline Solved_part common_curves(Surface_equations surfaces, const Solver_option
 all curves that two surfaces have in common, with proofs of their number and of how they are connected; with a plane as one of the surfaces, plane sections and contour lines of the other one.
 
 Operands are taken exactly, and all is decided by `solve_curves()`: no closed curve is lost, however small, nothing is joined by distance. Of a parametric surface and a plane, sphere or other implicit surface \f$f = 0\f$ the equation is
-\f$f(S(u,v)) = 0\f$; of two parametric surfaces \f$A(u,v) = B(s,t)\f$, three equations in four unknowns, or one in two if both are polynomial height fields over the same two coordinates; of two implicit ones \f$f = g = 0\f$ in space. An
+\f$f(S(u,v)) = 0\f$; of two parametric surfaces \f$A(u,v) = B(s,t)\f$, three equations in four unknowns, or one in two if both are polynomial height fields over the same two coordinates; of two implicit ones \f$f = g = 0\f$ in space. Of a
+parametric surface that is proved to be all of an equation \f$f = 0\f$ of degree four at most, or the part of it between planes that its edges lie in, as rectangles, spheres, cylinders, cones, tori and their pieces are, and another parametric one, it is \f$f(B(s,t)) = 0\f$ as well. An
 implicit surface that ends at its box within the bounds of a parametric one adds the coordinates as unknowns.
 
 A curve that crosses the seam of a closed surface is joined there: both ends are solutions of the same equations, so they are the same point when no others come into question.
 
 The surfaces may touch: points where they do so alone, or where two curves cross, are singular points, if they lie neither on an edge, a seam or a break nor have a degenerate quadratic part. Contact curves are found where one surface is implicit and the equation has a repeated factor, on each piece of the other surface; of two implicit surfaces, where a pair of polynomials with the same common zeros that are regular is found, or two of them; and of two parametric surfaces, where an
 equation of one of them, of degree four at most, has a repeated factor on the other one (see the manual). `Intersection_curve::kind()` tells them from others. Other contacts are undecided, and so are pieces of surface that coincide. A curve along an edge, a seam or a break is found where one equation
-says so, as it does of a parametric surface and an implicit one, and along contacts of two parametric ones that both have an equation.
+says so, as it does of a parametric surface and an implicit one or one with an equation, where it is on an edge of both if the planes of the edge separate them, and along contacts of two parametric ones that both have an equation.
 
 A curve goes on through a pole, an edge of a surface that is one point, if the surface has a tangent plane there and two branches end in it in opposite directions. A pole that lies on the other surface is a singular point otherwise, such as the apex of a cone, where it lies on no other edge; none, one or many branches end there. Of two parametric surfaces this is found, as a rule, if the one
 that a pole lies on has an equation of degree four at most, and no seam or pole there; else what is near the pole is undecided.
@@ -144,7 +168,10 @@ template <class A, class B>
 Surface_intersection<internal::Common_surface_kernel<A, B>> intersection_curves(const A& a, const B& b, const Solver_options& options = {.tolerance = 1e-8})
 {
   options.check();
-  std::vector<internal::Solved_part> parts{internal::common_curves(internal::Surface_equations(internal::surface_shape(a), internal::surface_shape(b)), options)};
+  const internal::Surface_equations surfaces(internal::surface_shape(a), internal::surface_shape(b));
+  internal::Equations_of_surfaces equations(surfaces);
+  std::optional<internal::Solved_part> curves = internal::curves_on_implicit_patches(surfaces, equations, options);
+  std::vector<internal::Solved_part> parts{curves ? std::move(*curves) : internal::common_curves(surfaces, equations, options)};
   return Surface_intersection<internal::Common_surface_kernel<A, B>>(std::move(parts));
 }
 

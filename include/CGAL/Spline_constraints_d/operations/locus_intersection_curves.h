@@ -131,10 +131,11 @@ std::optional<Surface_curves_3<Kernel>> rational_curves(const A& a, const B& b, 
   const std::optional<Surface_shape> first = rational_shape(a), second = first ? rational_shape(b) : std::nullopt;
   if (!second)
     return std::nullopt;
-  Surface_equations equations(*first, *second, Unknowns_of_surfaces::ALL_PARAMETERS);
-  if (equations.has_coordinates())
+  const Surface_equations surfaces(*first, *second, Unknowns_of_surfaces::ALL_PARAMETERS);
+  if (surfaces.has_coordinates())
     return std::nullopt;
-  Solved_part part = common_curves(std::move(equations), options);
+  Equations_of_surfaces equations(surfaces);
+  Solved_part part = common_curves(surfaces, equations, options);
   Surface_curves_3<Kernel> result([surfaces = part.surfaces](const std::vector<double>& unknowns) { return surfaces.point(unknowns); });
   if (part.surfaces.has_system())
     result.add(part.surfaces.system(), std::move(part.solutions), {part.surfaces.closed_unknowns(), part.poles});

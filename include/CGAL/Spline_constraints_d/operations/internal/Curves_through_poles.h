@@ -151,11 +151,11 @@ public:
     for (const Surface_pole& pole : m_surfaces.poles()) {
       Common_pole common{pole, domain_of(m_surfaces.system()), 0, true, false};
       common.box[pole.unknown] = {pole.value, pole.value};
-      const bool is_parametric = m_surfaces.is_parametric(1 - pole.surface);
-      if (is_parametric && !find_on_patch(common))
+      const bool has_unknowns = m_surfaces.has_unknowns(1 - pole.surface);
+      if (has_unknowns && !find_on_patch(common))
         continue;
       common.order = order_at(pole);
-      if (is_parametric || common.order > 0)
+      if (has_unknowns || common.order > 0)
         result.push_back(std::move(common));
     }
     return result;

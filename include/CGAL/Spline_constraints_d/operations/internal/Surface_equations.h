@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Height_field.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Patch_inverse.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_poles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_shape.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -35,7 +37,9 @@ The equations of the common points of two surfaces, in as few unknowns as there 
 
 Or those of the pairs of points of a parametric surface that are the same point in space, see Equal_point_pairs.h: both surfaces are this one.
 
-The parameters of a surface are affine functions of one unknown each.
+- two parametric ones, where one is a part of the zeros of a polynomial: that of the other one, see Implicit_patch.
+
+The parameters of a surface are affine functions of one unknown each, or those of the common point.
 */
 class Surface_equations
 {
@@ -46,6 +50,8 @@ class Surface_equations
   bool m_has_coordinates = false, m_is_self_intersection = false;
   Parameter_box m_domain;
   std::optional<Constraint_system_d> m_system;   // none: no common points
+  std::shared_ptr<const Patch_inverse> m_inverse;
+  std::size_t m_inverted = 0;                    // the surface of the inverse, if there is one
 
 public:
   //! \throws Invalid_input when both surfaces are implicit and their boxes have no more than a face in common.
@@ -69,6 +75,16 @@ public:
   // Other equations of the common points of two parametric surfaces, in the same unknowns.
   Surface_equations(const Surface_equations& surfaces, Constraint_system_d system) : Surface_equations(surfaces) { m_system = std::move(system); }
 
+  // Other equations of two parametric surfaces, in the parameters of the one that is not given, and no others. No system: no common points.
+  Surface_equations(const Surface_equations& surfaces, std::size_t inverted, std::optional<Constraint_system_d> system)
+    : m_surfaces(surfaces.m_surfaces), m_system(std::move(system)), m_inverse(std::make_shared<Patch_inverse>(surfaces.surface(inverted))), m_inverted(inverted)
+  {
+    for (int axis = 0; axis < 2; ++axis) {
+      m_parameters[1 - inverted][axis] = {m_domain.size(), Exact_rational(1), Exact_rational(0)};
+      m_domain.push_back(parameter_domain(1 - inverted, axis));
+    }
+  }
+
   const Surface_shape& surface(std::size_t index) const { return m_surfaces[index]; }
 
   // Whether the unknowns are the parameters of two parametric surfaces, each of which has its own.
@@ -83,7 +99,28 @@ public:
 
   bool is_parametric(std::size_t surface) const { return m_surfaces[surface].patch.has_value(); }
 
-  // How a parameter of a surface depends on the unknowns. \pre It is parametric.
+  // Whether the parameters of a surface depend on the unknowns alone.
+  bool has_unknowns(std::size_t surface) const { return is_parametric(surface) && !is_inverted(surface); }
+
+  // Whether edges of a surface are where inequalities are zero.
+  bool has_edges_on_inequalities() const { return m_inverse != nullptr; }
+
+  // Where the parameters of a surface are, with the unknowns in a box. \pre It is parametric.
+  std::array<Parameter_range, 2> parameter_ranges(std::size_t surface, const Parameter_box& box) const
+  {
+    if (is_inverted(surface))
+      return m_inverse->ranges(m_surfaces[1 - surface].patch->part(box).values());
+    const auto range = [&](int axis) { return parameter(surface, axis).of(box[parameter(surface, axis).unknown]); };
+    return {range(0), range(1)};
+  }
+
+  // In doubles. \pre It is parametric.
+  std::array<double, 2> parameters(std::size_t surface, const std::vector<double>& unknowns) const
+  {
+    return is_inverted(surface) ? (*m_inverse)(point(unknowns)) : std::array<double, 2>{parameter(surface, 0)(unknowns), parameter(surface, 1)(unknowns)};
+  }
+
+  // How a parameter of a surface depends on the unknowns. \pre It has unknowns.
   const Affine_function& parameter(std::size_t surface, int axis) const { return m_parameters[surface][axis]; }
   Parameter_range parameter_domain(std::size_t surface, int axis) const { return m_surfaces[surface].patch->domain(axis); }
 
@@ -97,7 +134,7 @@ public:
       return directions_of_pairs();
     for (std::size_t surface = 0; surface < 2; ++surface)
       for (int axis = 0; axis < 2; ++axis)
-        if (is_closed(surface, axis))
+        if (has_unknowns(surface) && is_closed(surface, axis))
           result.push_back(m_parameters[surface][axis].unknown);
     return result;
   }
@@ -107,7 +144,7 @@ public:
   {
     std::vector<Surface_pole> result;
     for (std::size_t k = 0; k < 2; ++k)
-      for (int axis = 0; axis < 2 && is_parametric(k); ++axis)
+      for (int axis = 0; axis < 2 && has_unknowns(k); ++axis)
         for (const int side : {0, 1}) {
           const Parameter_range range = parameter_domain(k, axis);
           const Exact_rational& value = side == 0 ? range.first : range.second;
@@ -130,12 +167,14 @@ public:
   {
     if (m_has_coordinates)
       return {unknowns[unknowns.size() - 3], unknowns[unknowns.size() - 2], unknowns[unknowns.size() - 1]};
-    const std::size_t surface = is_parametric(0) ? 0 : 1;
+    const std::size_t surface = has_unknowns(0) ? 0 : 1;
     const std::vector<NT> parameters{m_parameters[surface][0](unknowns), m_parameters[surface][1](unknowns)};
     return m_surfaces[surface].point(parameters);
   }
 
 private:
+  bool is_inverted(std::size_t surface) const { return m_inverse && m_inverted == surface; }
+
   std::vector<std::size_t> directions_of_pairs() const
   {
     constexpr int direction = 4;

@@ -6,8 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
 #include <CGAL/Spline_constraints_d/function/internal/Echelon_form.h>
-#include <CGAL/Spline_constraints_d/function/tensor_axes.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_patch.h>
+#include <CGAL/Spline_constraints_d/operations/internal/patch_cells.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Prime_field_rows.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,7 @@ namespace internal {
 The polynomial f of a given degree with f(S) = 0, for a surface S = X/w, if there is one up to a factor.
 
 On a piece of S of the degrees (m, n), w^d f(X/w) is a polynomial of the degrees (d m, d n). So f(S) = 0 on the piece if this holds at d m + 1 times d n + 1 of its points: linear equations for the coefficients of f, which are solved exactly on
-the first piece and tested on the others.
+the first piece, and f is composed with all of them.
 */
 class Implicit_equation
 {
@@ -43,54 +44,66 @@ public:
 
   std::optional<Power_polynomial> operator()() const
   {
+    if (has_no_solution_modulo_prime())
+      return std::nullopt;
     Echelon_form rows;
-    bool is_determined = false;
-    visit_points({0, 0}, [&](const std::vector<Exact_rational>& row) {
-      rows.add(row);
-      is_determined = rows.rank() == m_monomials.size();
-      return !is_determined;
+    visit_points([&](const std::array<Exact_rational, 4>& x) {
+      rows.add(values(x, [](const Exact_rational& a, const Exact_rational& b) { return Exact_rational(a * b); }));
+      return rows.rank() < m_monomials.size();
     });
     if (rows.rank() + 1 != m_monomials.size())
       return std::nullopt;
-    const std::vector<Exact_rational> coefficients = rows.orthogonal_vector(m_monomials.size());
-    return vanishes_everywhere(coefficients) ? std::optional(polynomial(coefficients)) : std::nullopt;
+    Power_polynomial result = polynomial(rows.orthogonal_vector(m_monomials.size()));
+    return vanishes_everywhere(result) ? std::optional(std::move(result)) : std::nullopt;
   }
 
 private:
-  bool vanishes_everywhere(const std::vector<Exact_rational>& coefficients) const
+  bool vanishes_everywhere(const Power_polynomial& polynomial) const
   {
     bool result = true;
-    const auto cells = [&](int axis) { return static_cast<int>(m_surface.breaks(axis).size()) - 2; };
-    for_each_index({cells(0), cells(1)}, [&](const std::vector<int>& cell) {
-      visit_points(cell, [&](const std::vector<Exact_rational>& row) {
-        Exact_rational sum(0);
-        for (std::size_t i = 0; i < row.size(); ++i)
-          sum += row[i] * coefficients[i];
-        result = result && sum == 0;
-        return result;
-      });
+    for_each_cell(m_surface, [&](const Patch_cell& cell) {
+      if (result) {
+        const auto [least, greatest] = composed(polynomial, m_degree, cell.functions).bounds();
+        result = least == 0 && greatest == 0;
+      }
     });
     return result;
   }
 
-  // Calls visit(values of the monomials, times w^d) for enough points of a piece, until it returns false.
-  template <class Visit>
-  void visit_points(const std::vector<int>& cell, const Visit& visit) const
+  // Most surfaces have no equation: this tells in no time.
+  bool has_no_solution_modulo_prime() const
   {
-    const std::vector<Exact_rational> u = parameters(0, cell[0]), v = parameters(1, cell[1]);
-    for (const Exact_rational& x : u)
-      for (const Exact_rational& y : v)
-        if (!visit(values({x, y})))
-          return;
+    using Field = Prime_field_polynomial;
+    Prime_field_rows rows;
+    visit_points([&](const std::array<Exact_rational, 4>& x) {
+      std::array<Field::Number, 4> residues;
+      std::transform(x.begin(), x.end(), residues.begin(), Field::residue);
+      rows.add(values(residues, [](Field::Number a, Field::Number b) { return a * b % Field::prime; }));
+      return rows.rank() < m_monomials.size();
+    });
+    return rows.rank() == m_monomials.size();
   }
 
-  std::vector<Exact_rational> parameters(int axis, int cell) const
+  // Calls visit(numerators and weight) for enough points of the first piece, until it returns false.
+  template <class Visit>
+  void visit_points(const Visit& visit) const
+  {
+    const std::vector<Exact_rational> u = parameters(0), v = parameters(1);
+    for (const Exact_rational& x : u)
+      for (const Exact_rational& y : v) {
+        const std::array parameters{x, y};
+        if (!visit({m_surface.numerators()[0](parameters), m_surface.numerators()[1](parameters), m_surface.numerators()[2](parameters), m_surface.weight()(parameters)}))
+          return;
+      }
+  }
+
+  std::vector<Exact_rational> parameters(int axis) const
   {
     int degree = m_surface.weight().degree(axis);
     for (const Exact_function& numerator : m_surface.numerators())
       degree = (std::max)(degree, numerator.degree(axis));
     const std::vector<Exact_rational> breaks = m_surface.breaks(axis);
-    const auto begin = breaks[static_cast<std::size_t>(cell)], end = breaks[static_cast<std::size_t>(cell) + 1];
+    const Exact_rational &begin = breaks[0], &end = breaks[1];
     const int last = (std::max)(1, m_degree * degree);
     std::vector<Exact_rational> result;
     for (int i = 0; i <= last; ++i)
@@ -98,18 +111,19 @@ private:
     return result;
   }
 
-  std::vector<Exact_rational> values(const std::array<Exact_rational, 2>& parameters) const
+  // Of the monomials, times w^d.
+  template <class Number, class Product>
+  std::vector<Number> values(const std::array<Number, 4>& x, const Product& product) const
   {
-    std::array<std::vector<Exact_rational>, 4> powers;
+    std::array<std::vector<Number>, 4> powers;
     for (std::size_t i = 0; i < 4; ++i) {
-      const Exact_rational x = i < 3 ? m_surface.numerators()[i](parameters) : m_surface.weight()(parameters);
-      powers[i].push_back(Exact_rational(1));
+      powers[i].push_back(Number(1));
       for (int k = 0; k < m_degree; ++k)
-        powers[i].push_back(powers[i].back() * x);
+        powers[i].push_back(product(powers[i].back(), x[i]));
     }
-    std::vector<Exact_rational> result;
+    std::vector<Number> result;
     for (const auto& [i, j, k] : m_monomials)
-      result.push_back(powers[0][i] * powers[1][j] * powers[2][k] * powers[3][m_degree - i - j - k]);
+      result.push_back(product(product(powers[0][i], powers[1][j]), product(powers[2][k], powers[3][m_degree - i - j - k])));
     return result;
   }
 

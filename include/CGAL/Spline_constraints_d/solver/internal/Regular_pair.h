@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/number/Mpfr_precision_scope.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Prime_field_polynomial.h>
+#include <CGAL/Spline_constraints_d/solver/internal/Prime_field_rows.h>
 
 #include <CGAL/Uncertain.h>
 
@@ -47,23 +48,12 @@ struct Polynomial_multiple
 // Whether a multiple of the first polynomial seems to be a sum of others and of the last ones, modulo a prime: this takes no time, and serves to save work only.
 inline bool seem_to_be_dependent(const std::vector<Polynomial_multiple>& multiples, const std::map<Monomial, std::size_t>& place)
 {
-  using Field = Prime_field_polynomial;
-  std::vector<std::pair<std::size_t, std::vector<Field::Number>>> rows;   // with the places of their ones
+  Prime_field_rows rows;
   for (auto multiple = multiples.rbegin(); multiple != multiples.rend(); ++multiple) {
-    std::vector<Field::Number> row(place.size(), 0);
+    std::vector<Prime_field_polynomial::Number> row(place.size(), 0);
     for (const auto& [monomial, coefficient] : multiple->product.terms())
-      row[place.at(monomial)] = Field::residue(coefficient);
-    for (const auto& [one, other] : rows)
-      if (const Field::Number factor = row[one]; factor != 0)
-        for (std::size_t j = 0; j < row.size(); ++j)
-          row[j] = Field::difference(row[j], other[j] * factor % Field::prime);
-    const auto pivot = std::find_if(row.begin(), row.end(), [](Field::Number x) { return x != 0; });
-    if (pivot != row.end()) {
-      const Field::Number factor = Field::inverse(*pivot);
-      for (Field::Number& x : row)
-        x = x * factor % Field::prime;
-      rows.emplace_back(static_cast<std::size_t>(pivot - row.begin()), std::move(row));
-    } else if (multiple->index == 0)
+      row[place.at(monomial)] = Prime_field_polynomial::residue(coefficient);
+    if (!rows.add(std::move(row)) && multiple->index == 0)
       return true;
   }
   return false;

@@ -40,21 +40,12 @@ public:
   // Nothing if none is found.
   static std::optional<Separated_contact> make(const Polynomials& fg)
   {
-    constexpr int most = 2;
     const Polynomials given = Regular_pair::with_lower_degree(fg);
-    for (int degree = 1; degree <= most; ++degree)
-      for (const Power_polynomial& h : Regular_pair::factors_of_gradients(given, degree)) {
-        const std::vector<Power_polynomial> contacts = quotients(h, given, most);
-        for (std::size_t j = 1; j < contacts.size(); ++j)
-          for (std::size_t i = 0; i < j; ++i) {
-            std::vector<Power_polynomial> others = quotients(pow(contacts[i] + Power_polynomial(3) * contacts[j], 2), given, most);
-            others.insert(others.end(), given.begin(), given.end());
-            for (std::size_t l = 1; l < others.size(); ++l)
-              for (std::size_t k = 0; k < l; ++k)
-                if (Separated_contact result(given, {Polynomials{contacts[i], contacts[j]}, Polynomials{others[k], others[l]}}); result.has_same_zeros())
-                  return result;
-          }
-      }
+    for (int degree = 1; degree <= most_degree; ++degree)
+      for (const Power_polynomial& h : Regular_pair::factors_of_gradients(given, degree))
+        for (const Polynomials& contact : pairs_of(quotients(h, given)))
+          if (std::optional<Separated_contact> result = with_contact(given, contact))
+            return result;
     return std::nullopt;
   }
 
@@ -76,13 +67,35 @@ public:
   }
 
 private:
+  static constexpr int most_degree = 2;   // of p, q, r, s and h
+
   Separated_contact(Polynomials given, std::array<Polynomials, 2> pairs) : m_given(std::move(given)), m_pairs(std::move(pairs)) {}
 
-  // The polynomials c up to a degree with c h = a f + b g, of the least degrees first, that are no combinations of f and g alone.
-  static std::vector<Power_polynomial> quotients(const Power_polynomial& h, const Polynomials& fg, int most)
+  // The pairs of which only p and q are given.
+  static std::optional<Separated_contact> with_contact(const Polynomials& given, const Polynomials& contact)
+  {
+    std::vector<Power_polynomial> others = quotients(pow(contact[0] + Power_polynomial(3) * contact[1], 2), given);
+    others.insert(others.end(), given.begin(), given.end());
+    for (const Polynomials& other : pairs_of(others))
+      if (Separated_contact result(given, {contact, other}); result.has_same_zeros())
+        return result;
+    return std::nullopt;
+  }
+
+  static std::vector<Polynomials> pairs_of(const std::vector<Power_polynomial>& polynomials)
+  {
+    std::vector<Polynomials> result;
+    for (std::size_t j = 1; j < polynomials.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        result.push_back({polynomials[i], polynomials[j]});
+    return result;
+  }
+
+  // The polynomials c with c h = a f + b g, of the least degrees first, that are no combinations of f and g alone.
+  static std::vector<Power_polynomial> quotients(const Power_polynomial& h, const Polynomials& fg)
   {
     std::vector<Power_polynomial> result;
-    for (int degree = 1; degree <= most; ++degree) {
+    for (int degree = 1; degree <= most_degree; ++degree) {
       const int all = degree + h.total_degree();
       for (const auto& relation : polynomial_relations({h, fg[0], fg[1]}, {degree, all - fg[0].total_degree(), all - fg[1].total_degree()}))
         if (relation[0].total_degree() == degree && !combination(relation[0], fg, (std::max)({degree, fg[0].total_degree(), fg[1].total_degree()})))
