@@ -140,7 +140,8 @@ public:
   // Whether two branches have the same curvature at the begin or end of the front, by exact computation. They do not move, or there.
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
-    const auto x = exact_curvature_at_end(a.contact, end), y = exact_curvature_at_end(b.contact, end);
+    const auto exact_curvature = [&](const Disk_branch& branch) { return branch.move && is_move_at_end(branch, end) ? exact_curvature_at_end({Disk_contact::Kind::VERTEX, m_graph.vertex_of({branch.move->arc, branch.move->parameter == 1})}, end) : exact_curvature_at_end(branch.contact, end); };
+    const auto x = exact_curvature(a), y = exact_curvature(b);
     return x && y && *x == *y;
   }
 
