@@ -182,6 +182,17 @@ TEST(MedialAxis, CirclesThatTouch)
   EXPECT_TRUE(has_vertex(holes, P(0, -1.875), 1.125));
 }
 
+// Four quadratic pieces that join smoothly, nearly a circle: the disk around the center touches all four joints, whose normals are the axes of symmetry.
+TEST(MedialAxis, FourQuadraticPieces)
+{
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{bezier({P(1, 0), P(1, 1), P(0, 1)}), bezier({P(0, 1), P(-1, 1), P(-1, 0)}), bezier({P(-1, 0), P(-1, -1), P(0, -1)}), bezier({P(0, -1), P(1, -1), P(1, 0)})}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size(), 4U);
+  EXPECT_EQ(number_of_vertices(axis, 1), 4U);
+  EXPECT_EQ(number_of_vertices(axis, 4), 1U);
+  EXPECT_TRUE(has_vertex(axis, P(0, 0), 1));
+}
+
 // A stadium, with three segments on one line and arcs that join them tangentially: the axis is the segment between the centers of the arcs.
 TEST(MedialAxis, PiecesOnOneLine)
 {
