@@ -55,7 +55,6 @@ class Maximal_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr double least_width = 0x1p-33, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
-  static constexpr double least_width_of_circle = 0x1p-10;   // of parts where disks nearly touch everything, as in rounded circles
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
@@ -123,11 +122,10 @@ private:
     }
     if (resolve(part, candidates, least))
       return;
-    const bool touches_nearly_everything = candidates.size() > Disk_candidates::most_candidates && range.width() < least_width_of_circle;
     const double middle = range.begin + split_ratio * range.width();
-    if (touches_nearly_everything)
-      m_most_nodes = (std::min)(m_most_nodes, m_nodes);
     if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes) {
+      if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
+        m_most_nodes = (std::min)(m_most_nodes, m_nodes);
       append_unresolved(range);
       return;
     }
