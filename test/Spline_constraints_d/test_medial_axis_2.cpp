@@ -164,6 +164,35 @@ TEST(MedialAxis, OutlinesThatTouch)
   EXPECT_EQ(number_of_vertices(frame, 1), 4U);
 }
 
+// Holes that touch the boundary: the axis of a crescent is an ellipse without its point on the boundary. Between two holes and the boundary are disks of radius 9/8.
+TEST(MedialAxis, CirclesThatTouch)
+{
+  const auto circle = [](double x, double r) { return SC::circle_curve(P(x, 0), r); };
+  const Axis crescent = SC::medial_axis(SC::planar_region(Curves{circle(0, 2), circle(1, 1)}));
+  EXPECT_TRUE(crescent.is_complete());
+  EXPECT_EQ(crescent.edges().size() + 1, crescent.vertices().size());
+  for (std::size_t e = 0; e < crescent.edges().size(); ++e)
+    for (const auto& sample : crescent.polyline(e, 0.01))
+      EXPECT_NEAR(distance(sample.point, P(0, 0)) + distance(sample.point, P(1, 0)), 3, 1e-9);
+  EXPECT_TRUE(has_vertex(crescent, P(-1, 0), 1));
+  const Axis holes = SC::medial_axis(SC::planar_region(Curves{circle(0, 3), circle(1, 1), circle(-1, 1)}));
+  EXPECT_TRUE(holes.is_complete());
+  EXPECT_EQ(number_of_vertices(holes, 3), 2U);
+  EXPECT_TRUE(has_vertex(holes, P(0, 1.875), 1.125));
+  EXPECT_TRUE(has_vertex(holes, P(0, -1.875), 1.125));
+}
+
+// Four quadratic pieces that join smoothly, nearly a circle: the disk around the center touches all four joints, whose normals are the axes of symmetry.
+TEST(MedialAxis, FourQuadraticPieces)
+{
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{bezier({P(1, 0), P(1, 1), P(0, 1)}), bezier({P(0, 1), P(-1, 1), P(-1, 0)}), bezier({P(-1, 0), P(-1, -1), P(0, -1)}), bezier({P(0, -1), P(1, -1), P(1, 0)})}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size(), 4U);
+  EXPECT_EQ(number_of_vertices(axis, 1), 4U);
+  EXPECT_EQ(number_of_vertices(axis, 4), 1U);
+  EXPECT_TRUE(has_vertex(axis, P(0, 0), 1));
+}
+
 // A stadium, with three segments on one line and arcs that join them tangentially: the axis is the segment between the centers of the arcs.
 TEST(MedialAxis, PiecesOnOneLine)
 {

@@ -177,6 +177,31 @@ TEST(TrimmedOffsets, OutlinesThatTouch)
   EXPECT_NEAR(area(thin), 25 - 4 - 4 - pi / 4, tolerance);
 }
 
+// The area that two disks have in common whose centers have the distance 1 or more.
+double area_of_lens(double r, double s, double d)
+{
+  const auto segment = [](double radius, double height) { return radius * radius * std::acos(height / radius) - height * std::sqrt(radius * radius - height * height); };
+  const double x = (d * d + r * r - s * s) / (2 * d);
+  return segment(r, x) + segment(s, d - x);
+}
+
+// A hole that touches the boundary from inside, two disks that touch, and curves: two circles and a line through one point, with one tangent there, and a segment that crosses one of them.
+TEST(TrimmedOffsets, CurvesThatTouch)
+{
+  const auto circle = [](double x, double r) { return SC::circle_curve(P(x, 0), r); };
+  const auto crescent = SC::planar_region(Curves{circle(0, 2), circle(1, 1)}), eight = SC::planar_region(Curves{circle(-1, 1), circle(1, 1)});
+  const Offset thin = SC::trimmed_offset(crescent, -0.25), thick = SC::trimmed_offset(crescent, 0.25), greater = SC::trimmed_offset(eight, 0.25);
+  EXPECT_EQ(counts(thin), (Counts{1, 0, counts(thin).arcs}));
+  EXPECT_NEAR(area(thin), pi * 1.75 * 1.75 - area_of_lens(1.75, 1.25, 1), tolerance);
+  EXPECT_EQ(counts(thick), (Counts{1, 1, counts(thick).arcs}));
+  EXPECT_NEAR(area(thick), pi * (2.25 * 2.25 - 0.75 * 0.75), tolerance);
+  EXPECT_EQ(counts(greater), (Counts{1, 0, counts(greater).arcs}));
+  EXPECT_NEAR(area(greater), 2 * pi * 1.25 * 1.25 - area_of_lens(1.25, 1.25, 2), tolerance);
+
+  const Offset curves = SC::trimmed_offset(Curves{circle(1, 1), circle(-1, 1), bezier({P(0, -3), P(0, 3)}), bezier({P(1, 0), P(3, 0)})}, 0.25);
+  EXPECT_EQ(counts(curves), (Counts{1, 2, counts(curves).arcs}));
+}
+
 TEST(TrimmedOffsets, RegionOfADrawing)
 {
   const auto region = region_of_a_drawing<K>();

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_COMMON_DISK_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_COMMON_DISK_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 
@@ -105,7 +106,17 @@ private:
       return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(contact));
     if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
       return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(contact));
+    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].circle())
+      return squared_distance_from_circle(*m_graph.arcs()[contact.index].circle(), squared_factor(contact));
     return std::nullopt;
+  }
+
+  // (d - r)^2 = d^2 + r^2 - 2 d r.
+  std::optional<Exact_rational> squared_distance_from_circle(const std::pair<Exact_pair, Exact_rational>& circle, const Exact_rational& squared_factor) const
+  {
+    const Exact_rational square = squared_distance_from(circle.first);
+    const auto product = rational_square_root(Exact_rational(square * circle.second));
+    return product ? std::optional(Exact_rational((square + circle.second - 2 * *product) / squared_factor)) : std::nullopt;
   }
 
   // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.

@@ -62,12 +62,15 @@ public:
     return result;
   }
 
-  // Only the overlaps, and their ends as cuts.
+  // Only the overlaps, and their ends as cuts; the others only if curves touch.
   template <class Concurrency_tag, SplineKernel Kernel>
   static Curve_crossings_2 overlaps_of(const std::vector<Site_curve_2>& curves)
   {
     Curve_crossings_2 result(curves);
-    result.add_overlaps(result.intersecting_pairs<Concurrency_tag, Kernel>());
+    const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
+    result.add_overlaps(pairs);
+    if (result.have_contacts(pairs))
+      result.add_crossings(pairs);
     result.close();
     return result;
   }
@@ -128,6 +131,17 @@ private:
           add({pair.first, pair.second}, intersection);
   }
 
+  // Whether curves touch in a point that is known exactly.
+  template <class Pairs>
+  bool have_contacts(const Pairs& pairs) const
+  {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return std::any_of(pair.intersections.begin(), pair.intersections.end(), [&](const auto& intersection) {
+        return intersection.kind() == Intersection_kind::TANGENT && at(pair.first, simplest_parameter(pair.first, intersection, 0)) == at(pair.second, simplest_parameter(pair.second, intersection, 1));
+      });
+    });
+  }
+
   // Those that lie on curves.
   template <class Concurrency_tag, SplineKernel Kernel>
   void add_points(const std::vector<Exact_pair>& points)
@@ -165,7 +179,7 @@ private:
     std::array<Cut, 2> cuts;
     std::array<Exact_pair, 2> points;   // for the simplest parameters
     for (std::size_t k = 0; k < 2; ++k) {
-      const Exact_rational t = simplest_parameter(curves[k], intersection.parameter_range(k), intersection.is_at_end(k));
+      const Exact_rational t = simplest_parameter(curves[k], intersection, k);
       points[k] = at(curves[k], t);
       cuts[k] = {{t, t}, m_points.size()};
     }
@@ -186,16 +200,18 @@ private:
 
   void add_point(const Exact_pair& point, std::size_t curve, const Parameter_range& range)
   {
-    const Exact_rational t = simplest_parameter(curve, range, false);
+    const Exact_rational t = simplest_rational_between(range.first, range.second);
     m_cuts[curve].push_back({at(curve, t) == point ? Parameter_range(t, t) : with_short_ends({range})[0], m_points.size()});
     m_near_points.push_back(point);
     m_points.push_back(point);
   }
 
-  Exact_rational simplest_parameter(std::size_t curve, const Parameter_range& range, bool is_at_end) const
+  template <class Intersection>
+  Exact_rational simplest_parameter(std::size_t curve, const Intersection& intersection, std::size_t operand) const
   {
+    const Parameter_range range = intersection.parameter_range(operand);
     const auto [begin, end] = m_curves[curve].domain(0);
-    return !is_at_end ? simplest_rational_between(range.first, range.second) : range.first <= begin ? begin : end;
+    return !intersection.is_at_end(operand) ? simplest_rational_between(range.first, range.second) : range.first <= begin ? begin : end;
   }
 
   void close()

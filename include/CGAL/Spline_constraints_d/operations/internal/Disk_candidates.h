@@ -39,7 +39,6 @@ The candidates for the maximal disks of a front: those whose curvature may reach
 */
 class Disk_candidates
 {
-  static constexpr std::size_t most_candidates = 200;
   static constexpr double least_width = 0x1p-40;
 
   const Site_graph_2& m_graph;
@@ -48,6 +47,8 @@ class Disk_candidates
   const Cusps_2* m_cusps;   // none, or those that are known
 
 public:
+  static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
+
   Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps) {}
 
   std::vector<Disk_candidate> all() const

@@ -115,15 +115,8 @@ public:
     return certain_sign(k.duv + k.dvv) != 0;
   }
 
-  // Whether the contact moves into the end of its arc at the begin or end of the front, by exact computation: the line through both is perpendicular to both.
-  bool is_move_at_end(const Disk_branch& branch, bool end) const
-  {
-    const auto& [event, arc, parameter, positive, negative, joined_ends, between] = *branch.move;
-    if (event != Disk_event::JOINT || joined_ends || !m_graph.is_exact({arc, parameter == 1}) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
-      return false;
-    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), tangent = m_graph.direction({arc, parameter == 1}), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[arc].at(Exact_rational(parameter));
-    return sign_of(exact_dot(normal, tangent)) == 0 && sign_of(exact_cross(normal, Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) == 0;
-  }
+  // Whether the contact moves into the end of its arc at the begin or end of the front.
+  bool is_move_at_end(const Disk_branch& branch, bool end) const { return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && is_touched_at_end({branch.move->arc, branch.move->parameter == 1}, end); }
 
   // Whether the contact stays what it is, or goes over into the end of an arc, or into the next arc, at most once in the part.
   bool moves_once(const Disk_branch& branch) const { return !branch.move || (branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && is_sign_of_move_monotone(branch)); }
@@ -140,7 +133,7 @@ public:
   // Whether two branches have the same curvature at the begin or end of the front, by exact computation. They do not move, or there.
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
-    const auto x = exact_curvature_at_end(a.contact, end), y = exact_curvature_at_end(b.contact, end);
+    const auto x = exact_curvature_at_end(a, end), y = exact_curvature_at_end(b, end);
     return x && y && *x == *y;
   }
 
@@ -345,6 +338,38 @@ private:
   }
 
   Interval maximum(const Front_part& part, const Located_contact& contact) const { return largest_curvature(m_graph, m_curvature, part, contact).curvature; }
+
+  // Whether the disk that touches the front in its begin or end touches an arc in an end of it, by exact computation: k_v = 0. Of a scaled one that is known only where normals are parallel.
+  bool is_touched_at_end(const Arc_end& other, bool end) const
+  {
+    if (!m_graph.is_exact(other) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return false;
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), &tangent = m_graph.direction(other), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[other.arc].at(Exact_rational(other.parameter()));
+    const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    const Exact_rational nt = exact_dot(normal, tangent), dt = exact_dot(d, tangent), dd = exact_dot(d, d);
+    if (m_curvature.is_arc_scaled(other.arc) || sign_of(dd) == 0)
+      return sign_of(nt) == 0 && sign_of(dt) == 0;
+    return nt * dd == 2 * exact_dot(normal, d) * dt;
+  }
+
+  // The end of an arc that a branch touches there. It has one maximum, which is there if it is one.
+  std::optional<Arc_end> touched_end(const Disk_branch& branch, bool end) const
+  {
+    if (branch.move)
+      return is_move_at_end(branch, end) ? std::optional(Arc_end{branch.move->arc, branch.move->parameter == 1}) : std::nullopt;
+    const double u = end ? 1 : 0;
+    for (const bool is_end : {false, true})
+      if (const Arc_end other{branch.contact.index, is_end}; branch.contact.kind == Disk_contact::Kind::ARC && (is_end ? branch.range.end == 1 : branch.range.begin == 0) && is_touched_at_end(other, end) && at(m_curvature.part(m_part.front, {u, u}), other).dvv.sup() < 0)
+        return other;
+    return std::nullopt;
+  }
+
+  std::optional<Number_with_root> exact_curvature_at_end(const Disk_branch& branch, bool end) const
+  {
+    const auto touched = touched_end(branch, end);
+    const bool is_elsewhere = touched && m_graph.arcs()[touched->arc].at(Exact_rational(touched->parameter())) != m_graph.exact_point(m_front, end);
+    return exact_curvature_at_end(is_elsewhere ? Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(*touched)} : branch.contact, end);
+  }
 
   // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs.
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const

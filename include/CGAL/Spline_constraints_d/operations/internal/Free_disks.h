@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Cusps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
@@ -12,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -36,6 +38,7 @@ class Free_disks
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
+  const Cusps_2& m_cusps;
   Disk_candidates m_candidates;
   std::optional<Disk_slopes> m_slopes;
   Exact_rational m_exact_radius;
@@ -46,8 +49,8 @@ class Free_disks
   int m_nodes = 0;
 
 public:
-  Free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_rational& radius)
-    : m_graph(graph), m_curvature(graph), m_candidates(graph, tree, m_curvature), m_exact_radius(radius), m_radius(interval_of(radius))
+  Free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Exact_rational& radius)
+    : m_graph(graph), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps), m_exact_radius(radius), m_radius(interval_of(radius))
   {}
 
   Free_ranges operator()(std::size_t front)
@@ -58,13 +61,41 @@ public:
     m_nodes = 0;
     m_slopes.emplace(m_graph, front);
     if (const int sign = sign_in_own_circle(front); sign < 0)
-      sweep(front, Range(), m_candidates.all());
+      sweep_between_cusps(front);
     else if (sign == 0)
       append_undecided(Range());
     return std::move(m_result);
   }
 
 private:
+  void sweep_between_cusps(std::size_t front)
+  {
+    const std::array<Range, 2> cusps{range_in_cusp(front, false), range_in_cusp(front, true)};
+    append_cusp(front, false, cusps[0]);
+    if (cusps[0].end < cusps[1].begin)
+      sweep(front, {cusps[0].end, cusps[1].begin}, m_candidates.all());
+    append_cusp(front, true, cusps[1]);
+  }
+
+  // Where the disks in a cusp are smaller, or nothing is known; one number where there is no cusp.
+  Range range_in_cusp(std::size_t front, bool end) const
+  {
+    const auto& cusp = m_cusps.side(front, end);
+    double width = cusp ? cusp->range.width() : 0;
+    const auto are_smaller = [&](const Range& range) { return cusp->contact->corner.least_curvature(end ? range.begin : range.end) > wanted_curvature(m_curvature.part(front, range)).sup(); };
+    while (width > least_width && cusp->contact && !are_smaller(range_at(end, width)))
+      width /= 2;
+    return range_at(end, width);
+  }
+
+  void append_cusp(std::size_t front, bool end, const Range& range)
+  {
+    if (const auto& cusp = m_cusps.side(front, end); cusp && !(cusp->contact && range.width() > least_width))
+      append_undecided(range);
+    else if (cusp)
+      append_covered();
+  }
+
   void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
   {
     const Front_part part = m_curvature.part(front, range);

@@ -83,7 +83,7 @@ std::shared_ptr<const Site_graph_2> graph_of_crossing_curves(const std::vector<S
   return Graph_of_crossing_curves(Curve_crossings_2::of<Concurrency_tag, Kernel>(curves, exact), curves, exact)();
 }
 
-// The same without cuts at crossings.
+// The same without cuts at crossings, unless curves touch.
 template <class Concurrency_tag, SplineKernel Kernel>
 std::shared_ptr<const Site_graph_2> graph_without_overlaps(const std::vector<Site_curve_2>& curves, const std::vector<CGAL::Point_2<Kernel>>& points)
 {

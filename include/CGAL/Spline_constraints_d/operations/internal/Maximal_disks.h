@@ -124,6 +124,8 @@ private:
       return;
     const double middle = range.begin + split_ratio * range.width();
     if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes) {
+      if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
+        m_most_nodes = (std::min)(m_most_nodes, m_nodes);
       append_unresolved(range);
       return;
     }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
@@ -142,10 +143,11 @@ template <class Concurrency_tag>
 Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& fronts, bool is_set_free)
 {
   const Site_tree_2 tree(*graph);
+  const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
   std::vector<Free_ranges> ranges(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    ranges[fronts[i]] = Free_disks(*graph, tree, radius)(fronts[i]);
+    ranges[fronts[i]] = Free_disks(*graph, tree, cusps, radius)(fronts[i]);
   });
   return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
 }
