@@ -115,14 +115,11 @@ public:
     return certain_sign(k.duv + k.dvv) != 0;
   }
 
-  // Whether the contact moves into the end of its arc at the begin or end of the front, by exact computation: the line through both is perpendicular to both.
+  // Whether the contact moves into the end of its arc at the begin or end of the front, by exact computation: k_v is zero there.
   bool is_move_at_end(const Disk_branch& branch, bool end) const
   {
     const auto& [event, arc, parameter, positive, negative, joined_ends, between] = *branch.move;
-    if (event != Disk_event::JOINT || joined_ends || !m_graph.is_exact({arc, parameter == 1}) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
-      return false;
-    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), tangent = m_graph.direction({arc, parameter == 1}), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[arc].at(Exact_rational(parameter));
-    return sign_of(exact_dot(normal, tangent)) == 0 && sign_of(exact_cross(normal, Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) == 0;
+    return event == Disk_event::JOINT && !joined_ends && is_stationary_at_end({arc, parameter == 1}, end);
   }
 
   // Whether the contact stays what it is, or goes over into the end of an arc, or into the next arc, at most once in the part.
@@ -140,7 +137,7 @@ public:
   // Whether two branches have the same curvature at the begin or end of the front, by exact computation. They do not move, or there.
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
-    const auto x = exact_curvature_at_end(a.contact, end), y = exact_curvature_at_end(b.contact, end);
+    const auto x = exact_curvature_at_end(contact_at_end(a, end), end), y = exact_curvature_at_end(contact_at_end(b, end), end);
     return x && y && *x == *y;
   }
 
@@ -345,6 +342,32 @@ private:
   }
 
   Interval maximum(const Front_part& part, const Located_contact& contact) const { return largest_curvature(m_graph, m_curvature, part, contact).curvature; }
+
+  // Whether the curvature of disks that touch the front in its end is stationary in an end of an arc, by exact computation: with Z from the one to the other, <N, Y_v> |Z|^2 = 2 <N, Z> <Z, Y_v>.
+  bool is_stationary_at_end(const Arc_end& arc_end, bool end) const
+  {
+    if (!m_graph.is_exact(arc_end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return false;
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), tangent = m_graph.direction(arc_end), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[arc_end.arc].at(Exact_rational(arc_end.is_end ? 1 : 0));
+    const Exact_pair z{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    return sign_of(exact_dot(z, z)) != 0 && exact_dot(normal, tangent) * exact_dot(z, z) == 2 * exact_dot(normal, z) * exact_dot(z, tangent);
+  }
+
+  // What is touched at an end of the front: a vertex, if the contact moves there, or is in the end of its arc there, where the curvature has its only maximum.
+  Disk_contact contact_at_end(const Disk_branch& branch, bool end) const
+  {
+    const auto in_vertex = [&](const Arc_end& arc_end) { return Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(arc_end)}; };
+    if (branch.move)
+      return in_vertex({branch.move->arc, branch.move->parameter == 1});
+    if (branch.contact.kind != Disk_contact::Kind::ARC)
+      return branch.contact;
+    const std::size_t arc = branch.contact.index;
+    const double u = end ? 1 : 0;
+    for (const bool arc_end : {false, true})
+      if (branch.range.begin <= (arc_end ? 1 : 0) && (arc_end ? 1 : 0) <= branch.range.end && is_stationary_at_end({arc, arc_end}, end) && at(m_curvature.part(m_part.front, {u, u}), arc, branch.range).dvv.sup() < 0)
+        return in_vertex({arc, arc_end});
+    return branch.contact;
+  }
 
   // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs.
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const
