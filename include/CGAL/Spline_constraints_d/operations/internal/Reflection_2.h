@@ -4,8 +4,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REFLECTION_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REFLECTION_2_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -52,7 +54,25 @@ public:
     return std::nullopt;
   }
 
-  bool operator==(const Reflection_2& other) const { return sign_of(exact_cross(m_normal, other.m_normal)) == 0 && m_offset * other.m_normal[0] == other.m_offset * m_normal[0] && m_offset * other.m_normal[1] == other.m_offset * m_normal[1]; }
+  // Those that map the line of a straight arc to that of another one; none if they are not rational.
+  static std::vector<Reflection_2> of_lines(const Site_arc_2& a, const Site_arc_2& b)
+  {
+    const auto vector = [](const Exact_pair& p, const Exact_pair& q) { return Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])}; };
+    const Exact_pair p = a.at(0), q = b.at(0), d = vector(p, a.at(1)), e = vector(q, b.at(1));
+    const Exact_rational sine = exact_cross(d, e);
+    if (sign_of(sine) == 0) {
+      const Exact_rational s = exact_dot(vector(p, q), d) / exact_dot(d, d);
+      const auto result = of_points(Exact_pair{Exact_rational(p[0] + s * d[0]), Exact_rational(p[1] + s * d[1])}, q);
+      return result ? std::vector{*result} : std::vector<Reflection_2>{};
+    }
+    const auto ratio = rational_square_root(Exact_rational(exact_dot(d, d) / exact_dot(e, e)));
+    if (!ratio)
+      return {};
+    const Exact_rational t = exact_cross(vector(p, q), e) / sine;
+    const Exact_pair common{Exact_rational(p[0] + t * d[0]), Exact_rational(p[1] + t * d[1])};
+    const Exact_pair sum{Exact_rational(d[0] + *ratio * e[0]), Exact_rational(d[1] + *ratio * e[1])};
+    return {in_line(common, sum), in_line(common, Exact_pair{Exact_rational(-sum[1]), sum[0]})};
+  }
 
   Exact_pair operator()(const Exact_pair& p) const
   {
