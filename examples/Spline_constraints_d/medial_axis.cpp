@@ -17,7 +17,7 @@
 #include <iostream>
 
 namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<double>;
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
 
 int main(int argc, char* argv[])
 {
@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
     std::ofstream file("medial_axis.svg");
     SC::SVG_writer picture(file, curves);
     for (std::size_t e = 0; e < axis.edges().size(); ++e) {
-      K::Point_2 last = axis.vertices()[axis.edges()[e].vertices[0]].point;
+      auto last = axis.vertices()[axis.edges()[e].vertices[0]].point;
       const auto edge = axis.polyline(e, picture.pixel() / 8);
       for (const auto& sample : edge)
         if (CGAL::squared_distance(sample.point, last) > CGAL::square(picture.extent() / 20) && sample.radius > 0) {

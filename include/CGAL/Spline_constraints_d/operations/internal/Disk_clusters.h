@@ -116,6 +116,10 @@ private:
   {
     if (cluster.is_known)
       return true;
+    if (const auto nearest = nearest_end_on_line_through_fan(cluster.arc)) {
+      cluster.ends[*nearest] = End_state::MAXIMUM;
+      return true;
+    }
     const int slope = certain_sign(cluster.bounds.dv);
     if (slope != 0) {
       cluster.ends[slope > 0] = End_state::MAXIMUM;
@@ -135,6 +139,21 @@ private:
         return true;
     }
     return has_known_slopes(cluster) || is_concave;
+  }
+
+  // The end of a segment that is nearest to the vertex of a fan, if that is on its line: disks through the segment are the smaller, the nearer to the vertex they pass through it.
+  std::optional<bool> nearest_end_on_line_through_fan(std::size_t arc) const
+  {
+    const Site_arc_2& segment = m_graph.arcs()[arc];
+    if (!m_front.is_fan || !segment.is_straight() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_front.object].is_exact)
+      return std::nullopt;
+    const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
+    const Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];
+    const Interval_pair to_begin = m_graph.vertices()[begin].point - fan.point, to_end = m_graph.vertices()[end].point - fan.point;
+    if (begin == m_front.object || end == m_front.object || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(fan.exact_point))
+      return std::nullopt;
+    const int order = certain_sign(squared_norm(to_begin) - squared_norm(to_end));
+    return order == 0 ? std::nullopt : std::optional(order > 0);
   }
 
   // Calls visit(slope, range of the distance from the end of the front, range of that from the end of the arc) for the ends that the part and a cluster reach, until that returns true.

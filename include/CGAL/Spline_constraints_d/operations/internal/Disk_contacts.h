@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Mirrored_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/exact_disk_curvatures.h>
 
 #include <algorithm>
@@ -134,7 +135,7 @@ public:
   bool are_equal_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
     const auto x = exact_curvature_at_end(a, end), y = exact_curvature_at_end(b, end);
-    return x && y && *x == *y;
+    return (x && y && *x == *y) || are_mirrored_at_end(a, b, end);
   }
 
   // The sign of the difference of the curvatures of two branches.
@@ -338,6 +339,18 @@ private:
   }
 
   Interval maximum(const Front_part& part, const Located_contact& contact) const { return largest_curvature(m_graph, m_curvature, part, contact).curvature; }
+
+  // Whether two branches are mirror images of each other in the normal at an end of the front, in which disks are so, too.
+  bool are_mirrored_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
+  {
+    if (a.move || b.move || a.contact.kind != Disk_contact::Kind::ARC || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return false;
+    const auto mirror = Reflection_2::in_line(m_graph.exact_point(m_front, end), m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)));
+    const double u = end ? 1 : 0;
+    const Front_part point = m_curvature.part(m_part.front, {u, u});
+    const auto image = mirrored(m_graph, mirror, {a.contact, largest_curvature(m_graph, m_curvature, point, a).range}, b.contact);
+    return image && is_only_maximum(m_graph, m_curvature, point, *image, b);
+  }
 
   // Whether the disk that touches the front in its begin or end touches an arc in an end of it, by exact computation: k_v = 0. Of a scaled one that is known only where normals are parallel.
   bool is_touched_at_end(const Arc_end& other, bool end) const

@@ -62,9 +62,9 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
-      return of_scaled_disk(quotient(part.jet, jet), part);
+      return of_scaled_disk(quotient(part, arc, range, jet), part);
     if (part.range.is_number() && range.is_number())
-      return with_common_arc_and_vertices(quotient(part.jet, jet).bounds(), part, arc, range);
+      return with_common_arc_and_vertices(quotient(part, arc, range, jet).bounds(), part, arc, range);
     const double u = part.range.middle(), v = range.middle();
     return (*this)(part, arc, range, jet, this->part(part.front, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
   }
@@ -73,7 +73,7 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
-    const Curvature_quotient k = quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v);
+    const Curvature_quotient k = quotient(part, arc, range, jet).around(quotient(middle, arc, {range.middle(), range.middle()}, jet_in_middle), shift_u, shift_v);
     return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_common_arc_and_vertices(k.bounds(), part, arc, range);
   }
 
@@ -84,8 +84,8 @@ public:
     Curve_jet jet{};
     jet[0] = m_graph.vertices()[vertex].point;
     if (is_vertex_scaled(vertex))
-      return of_scaled_disk(quotient(part.jet, jet), part);
-    Curvature_bounds result = quotient(part.jet, jet).bounds();
+      return of_scaled_disk(quotient(part.jet, jet, jet[0] - part.jet.point), part);
+    Curvature_bounds result = quotient(part.jet, jet, jet[0] - part.jet.point).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
@@ -149,10 +149,28 @@ private:
     return result;
   }
 
-  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y)
+  Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, jet, way(part, arc, range, jet)); }
+
+  // From the front to an arc; by way of a vertex that both have in common, which is accurate near that.
+  Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    Interval_pair result = jet[0] - part.jet.point;
+    for (const bool end : {false, true})
+      if (m_graph.is_exact({arc, end})) {
+        const std::size_t vertex = m_graph.vertex_of({arc, end});
+        if (front.is_fan && front.object == vertex)
+          result = common_part(result, m_graph.arcs()[arc].way_from_end(end, range));
+        for (const bool own : {false, true})
+          if (!front.is_fan && front.object != arc && m_graph.vertex_of({front.object, own}) == vertex && m_graph.is_exact({front.object, own}))
+            result = common_part(result, m_graph.arcs()[arc].way_from_end(end, range) - m_graph.arcs()[front.object].way_from_end(own, part.range));
+      }
+    return result;
+  }
+
+  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y, const Interval_pair& d)
   {
     const Interval two(2);
-    const Interval_pair d = y[0] - x.point;
     Curvature_quotient k;
     k.f = two * dot(x.normal, d);
     k.q = squared_norm(d);

@@ -84,8 +84,12 @@ Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
     if (!(at({around.begin, around.begin}).dv.inf() > 0 && at({around.end, around.end}).dv.sup() < 0))
       continue;
-    const Curvature_bounds k = at(around);
-    return {common_part(k.value, at({v, v}).value + k.dv * (around.interval() - Interval(v))), around};
+    const Curvature_bounds k = at(around), here = at({v, v});
+    const Interval step = around.interval() - Interval(v);
+    Interval greatest = common_part(k.value, here.value + k.dv * step);
+    if (k.dvv.sup() < 0)   // a concave function is below its tangents
+      greatest = common_part(greatest, here.value + hull(Interval(0), here.dv * step));
+    return {greatest, around};
   }
   return {any_number(), {v, v}};
 }

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Mirrored_disk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -167,10 +168,12 @@ private:
     const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
-    const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end), branches);
-    return disk.touches(part) && all([&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); }) &&
-           append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
+    const auto is_rational = [&, &before = before, &after = after] {
+      const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
+      const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end), branches);
+      return disk.touches(part) && all([&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); });
+    };
+    return (is_rational() || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all()) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
   /*

@@ -74,7 +74,7 @@ inline Curve_jet hull(const Curve_jet& a, const Curve_jet& b)
   return result;
 }
 
-// A polynomial on [0,1] and its derivatives, by enclosed Bernstein coefficients.
+// A polynomial on [0,1] and its derivatives up to an order, by enclosed Bernstein coefficients.
 class Polynomial_jet
 {
   std::array<std::vector<Interval>, jet_order + 1> m_rows;
@@ -83,12 +83,12 @@ public:
   Polynomial_jet() = default;
 
   // Of any polynomial that is made of the given one when each end of [0,1] is moved by no more than an error, below 2^-10, and the part between brought to [0,1].
-  Polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error)
+  Polynomial_jet(Bernstein_tensor<Exact_rational> tensor, const Exact_rational& error, std::size_t order = jet_order)
   {
     const int degree = tensor.degree(0);
     // Coefficients are values of the blossom, which is affine in each of its arguments.
     Exact_rational change = 2 * degree * error * largest_difference(tensor.coefficients());
-    for (std::size_t k = 0; k <= jet_order; ++k, tensor = tensor.derivative(0), change *= 2 * degree)
+    for (std::size_t k = 0; k <= order; ++k, tensor = tensor.derivative(0), change *= 2 * degree)
       for (const Exact_rational& c : tensor.coefficients())
         m_rows[k].push_back(hull(interval_of(Exact_rational(c - change)), interval_of(Exact_rational(c + change))));
   }
@@ -141,6 +141,7 @@ class Site_arc_2
 {
   Homogeneous_piece m_piece;
   std::array<Polynomial_jet, 3> m_coordinates;
+  std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
   bool m_is_polynomial = true;
   bool m_is_straight = true;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
@@ -159,6 +160,11 @@ public:
     for (std::size_t k = 0; k < 3; ++k)
       m_coordinates[k] = Polynomial_jet(m_piece.coordinates[k], error);
     const Exact_pair a = at(0), b = at(1);
+    for (const bool end : {false, true})
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Bernstein_tensor<Exact_rational> way = k == 2 ? m_piece.coordinates[k] : m_piece.coordinates[k] - m_piece.coordinates[2] * (end ? b : a)[k];
+        m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error, 0);
+      }
     m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     if (!m_is_straight)
       m_circle = circle_through_all_points();
@@ -211,6 +217,18 @@ public:
 
   Interval_pair point(const Range& range) const { return jet(range, 0)[0]; }
 
+  // The way from an end of the piece, with a small relative error near that.
+  Interval_pair way_from_end(bool end, const Range& range) const
+  {
+    const Interval t = end ? Interval(1) - range.interval() : range.interval();
+    const Range distance{(std::max)(t.inf(), 0.0), (std::min)(t.sup(), 1.0)};
+    const auto& [x, y, w] = m_from_ends[end];
+    if (m_is_polynomial)
+      return {x(0, distance), y(0, distance)};
+    const Interval weight = w(0, distance);
+    return {x(0, distance) / weight, y(0, distance) / weight};
+  }
+
   // The derivatives up to an order; others are zero.
   Curve_jet jet(const Range& range, std::size_t order = jet_order) const
   {
@@ -241,6 +259,13 @@ private:
     std::vector<Exact_rational> coefficients = tensor.coefficients();
     for (Exact_rational& c : coefficients)
       c /= number;
+    return {tensor.degrees(), std::move(coefficients)};
+  }
+
+  static Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
+  {
+    std::vector<Exact_rational> coefficients = tensor.coefficients();
+    std::reverse(coefficients.begin(), coefficients.end());
     return {tensor.degrees(), std::move(coefficients)};
   }
 

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MIRRORED_CONTACT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MIRRORED_CONTACT_H
+
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Reflection_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+// A point that a disk touches: a vertex, or one in a range of an arc.
+struct Touched_point
+{
+  Disk_contact contact;
+  Range range;
+};
+
+inline bool is_exact_arc(const Site_graph_2& graph, const Disk_contact& contact) { return contact.kind == Disk_contact::Kind::ARC && graph.is_exact({contact.index, false}) && graph.is_exact({contact.index, true}); }
+
+inline bool is_exact_vertex(const Site_graph_2& graph, const Disk_contact& contact) { return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact; }
+
+// A straight arc whose parameter is a ratio of lengths, of any degree.
+inline bool is_segment(const Site_arc_2& arc)
+{
+  const auto is_linear = [](const Bernstein_tensor<Exact_rational>& f) {
+    const std::vector<Exact_rational> c = f.power_coefficients();
+    return std::all_of(c.begin() + (std::min)(c.size(), std::size_t(2)), c.end(), [](const Exact_rational& x) { return sign_of(x) == 0; });
+  };
+  const auto& [x, y, w] = arc.piece().coordinates;
+  const std::vector<Exact_rational> weights = w.coefficients();
+  return arc.is_straight() && is_linear(x) && is_linear(y) && std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& weight) { return weight == weights.front(); });
+}
+
+// The reflections that map a contact to another one.
+inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Disk_contact& from, const Disk_contact& to)
+{
+  std::vector<Reflection_2> result;
+  const auto append = [&](const std::optional<Reflection_2>& reflection) {
+    if (reflection)
+      result.push_back(*reflection);
+  };
+  if (is_exact_vertex(graph, from) && is_exact_vertex(graph, to))
+    append(Reflection_2::of_points(graph.vertices()[from.index].exact_point, graph.vertices()[to.index].exact_point));
+  if (!is_exact_arc(graph, from) || !is_exact_arc(graph, to))
+    return result;
+  const Site_arc_2 &a = graph.arcs()[from.index], &b = graph.arcs()[to.index];
+  if (is_segment(a) && is_segment(b))
+    return Reflection_2::of_lines(a, b);
+  for (const bool is_reversed : {false, true})
+    append(Reflection_2::of_arcs(a, b, is_reversed));
+  return result;
+}
+
+// The range of the parameter of an arc that is the image of one of another arc; of segments as much as on their lines.
+inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Site_arc_2& from, const Range& range, const Site_arc_2& to)
+{
+  if (is_segment(from) && is_segment(to)) {
+    const Exact_pair p = mirror(from.at(0)), q = mirror(from.at(1)), c = to.at(0), d = to.at(1), along{Exact_rational(d[0] - c[0]), Exact_rational(d[1] - c[1])};
+    if (!to.is_on_line_or_circle(p) || !to.is_on_line_or_circle(q))
+      return std::nullopt;
+    const auto place = [&](const Exact_pair& x) { return Exact_rational(exact_dot(along, Exact_pair{Exact_rational(x[0] - c[0]), Exact_rational(x[1] - c[1])}) / exact_dot(along, along)); };
+    const Interval image = interval_of(place(p)) + interval_of(Exact_rational(place(q) - place(p))) * range.interval();
+    return Range{image.inf(), image.sup()};
+  }
+  if (mirror.maps(from, to, false))
+    return range;
+  const Interval reversed = Interval(1) - range.interval();
+  return mirror.maps(from, to, true) ? std::optional(Range{reversed.inf(), reversed.sup()}) : std::nullopt;
+}
+
+// The image of a point if it is on another contact.
+inline std::optional<Touched_point> mirrored(const Site_graph_2& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_contact& contact)
+{
+  if (is_exact_vertex(graph, point.contact) && is_exact_vertex(graph, contact) && mirror(graph.vertices()[point.contact.index].exact_point) == graph.vertices()[contact.index].exact_point)
+    return Touched_point{contact, {}};
+  if (is_exact_arc(graph, point.contact) && is_exact_arc(graph, contact))
+    if (const auto range = mirrored_range(mirror, graph.arcs()[point.contact.index], point.range, graph.arcs()[contact.index]))
+      return Touched_point{contact, *range};
+  return std::nullopt;
+}
+
+// Whether a point in which the curvature of disks through an arc is stationary is that of a contact: its range holds it, and the curvature is concave there.
+inline bool is_only_maximum(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Touched_point& point, const Located_contact& located)
+{
+  if (located.contact.kind != Disk_contact::Kind::ARC)
+    return true;
+  const auto& [begin, end] = located.range;
+  return begin <= point.range.begin && point.range.end <= end && curvature(part, located.contact.index, located.range, graph.arcs()[located.contact.index].jet(located.range)).dvv.sup() < 0;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MIRRORED_CONTACT_H
