@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -98,6 +99,50 @@ TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
       EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() > 2 && distance(v.point, vertex) < 1e-12; }));
     expect_euler(diagram);
   }
+}
+
+// A closed curve of four cubics, nearly a circle, symmetric about its axes and the lines between them.
+Curves rounded_square(double x, double y, double radius, double handle)
+{
+  Curves result;
+  for (const auto& [a, b, c, d] : std::vector<std::array<double, 4>>{{1, 0, 0, 1}, {0, 1, -1, 0}, {-1, 0, 0, -1}, {0, -1, 1, 0}}) {
+    const auto at = [&, a = a, b = b, c = c, d = d](double s, double t) { return P(x + s * a + t * c, y + s * b + t * d); };
+    result.push_back(bezier({at(radius, 0), at(radius, handle), at(handle, radius), at(0, radius)}));
+  }
+  return result;
+}
+
+TEST(VoronoiDiagrams, SymmetricDrawings)
+{
+  // Disks on the axis of both arms touch them, and a joint of the outline or both sides of it, in points that are not rational.
+  Curves hook = rounded_square(0, 0, 4, 2.25);
+  hook.push_back(bezier({P(0, -2), P(3, 1)}));
+  hook.push_back(bezier({P(0, -2), P(-2, 0)}));
+  const Diagram diagram = SC::voronoi_diagram(hook);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram).branching, 1U);
+  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && std::abs(v.point.x()) < 1e-9; }));
+  expect_euler(diagram);
+}
+
+TEST(VoronoiDiagrams, HalfPlanesThatTouchThreeCircles)
+{
+  // The cell of the circle in the middle ends in them on both sides: two vertices at infinity, each of two edges.
+  Curves circles;
+  for (const double y : {-6, 0, 6})
+    circles.push_back(SC::circle_curve(P(0, y), 2));
+  const Diagram diagram = SC::voronoi_diagram(circles);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram).far, 2U);
+  expect_euler(diagram);
+}
+
+TEST(VoronoiDiagrams, FanOnTheLineOfASegment)
+{
+  // The half-plane below touches a corner and a segment.
+  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(-2, 1), P(0, 0)}), bezier({P(0, 0), P(-1, 2)}), bezier({P(2, 0), P(5, 0)}), bezier({P(5, 0), P(4, 3)})});
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
 }
 
 TEST(VoronoiDiagrams, NumbersWithRoots)

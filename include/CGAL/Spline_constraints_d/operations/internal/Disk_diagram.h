@@ -374,13 +374,26 @@ private:
         vertex.is_at_infinity = vertex.is_at_infinity || is_at_infinity(before);
         return before.twin;
       };
-      std::size_t h = first;
+      std::size_t h = first_of_star(first);
       do {
         visit(h);
         h = previous_twin(h);
       } while (h != none && m_halfedges[h].source == none);
       m_vertices.push_back(std::move(vertex));
     }
+  }
+
+  // The outgoing halfedge of a vertex before which there is nothing, as at infinity; the given one where others go all around it.
+  std::size_t first_of_star(std::size_t halfedge) const
+  {
+    std::size_t result = halfedge;
+    while (m_halfedges[result].twin != none) {
+      const std::size_t before = m_halfedges[m_halfedges[result].twin].next;
+      if (before == halfedge || is_at_infinity(m_halfedges[before]) || m_halfedges[before].source != none)
+        return before == halfedge ? halfedge : result;
+      result = before;
+    }
+    return result;
   }
 };
 
