@@ -92,7 +92,7 @@ public:
       if (patch.is_closed(axis))
         m_periods[axis] = Exact_rational(end - begin);
       for (const Exact_rational& value : {begin, end})
-        if (patch.part(axis, {value, value}).is_one_point())
+        if (patch.pole(axis, value))
           m_poles.emplace_back(axis, value);
       m_ranges[axis] = ranges(patch.breaks(axis), m_periods[axis].has_value());
     }

@@ -119,7 +119,7 @@ public:
           to->push_back(i);
       }
     for (Undecided_region region : all.undecided()) {
-      std::erase_if(region.boxes, [&](const Exact_ranges& box) { return are_apart(box); });
+      std::erase_if(region.boxes, [&](const Exact_ranges& box) { return are_surfaces_apart(box); });
       if (!region.boxes.empty())
         undecided.push_back(std::move(region));
     }
@@ -145,12 +145,12 @@ private:
   const Spline_patch<3>& patch(std::size_t surface) const { return *m_surfaces.surface(surface).patch; }
   std::size_t first_unknown(std::size_t surface) const { return m_surfaces.parameter(surface, 0).unknown; }
 
-  bool are_apart(const Exact_ranges& box) const { return are_apart(part(m_surfaces, 0, box).values(), part(m_surfaces, 1, box).values()); }
+  bool are_surfaces_apart(const Exact_ranges& box) const { return are_apart(part(m_surfaces, 0, box).values(), part(m_surfaces, 1, box).values()); }
 
   // The same, by halves of the box.
   bool are_apart_in_parts(const Exact_ranges& box, int most_halvings = 8) const
   {
-    if (are_apart(box))
+    if (are_surfaces_apart(box))
       return true;
     if (most_halvings == 0)
       return false;
@@ -169,14 +169,6 @@ private:
     Exact_ranges lower = box, upper = box;
     lower[longest].second = upper[longest].first = (box[longest].first + box[longest].second) / 2;
     return are_apart_in_parts(lower, most_halvings - 1) && are_apart_in_parts(upper, most_halvings - 1);
-  }
-
-  static bool are_apart(const Vector_bounds<3>& a, const Vector_bounds<3>& b)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (a[i].upper < b[i].lower || b[i].upper < a[i].lower)
-        return true;
-    return false;
   }
 
   // Whether the solution in a box is a common point, and so are all near it.

@@ -74,7 +74,7 @@ public:
 
   std::vector<Common_point> operator()()
   {
-    if (are_apart(m_pair[0], m_pair[1]))
+    if (are_apart(m_pair[0].values(), m_pair[1].values()))
       return {};
     const std::array<std::vector<Contact_piece>, 2> pieces{pieces_of(m_pair[0]), pieces_of(m_pair[1])};
     const std::array<std::vector<Smooth_pole>, 2> poles{poles_of(m_pair[0]), poles_of(m_pair[1])};
@@ -93,13 +93,6 @@ public:
   }
 
 private:
-  // By their bounds.
-  static bool are_apart(const Spline_patch<3>& a, const Spline_patch<3>& b)
-  {
-    const Vector_bounds<3> gap = a.values() - b.values();
-    return std::any_of(gap.begin(), gap.end(), [](const Rational_interval& x) { return x.lower > 0 || x.upper < 0; });
-  }
-
   static std::optional<Spline_patch<3>> pole_of(const Spline_patch<3>& surface, int axis, int side)
   {
     const Exact_rational end = side == 0 ? surface.domain(axis).first : surface.domain(axis).second;
@@ -139,7 +132,7 @@ private:
 
   void find_contacts(const std::array<Contact_piece, 2>& pieces)
   {
-    if (are_apart(pieces[0].patch, pieces[1].patch))
+    if (are_apart(pieces[0].patch.values(), pieces[1].patch.values()))
       return;
     const Patch_pair<3> patches(pieces[0].patch, pieces[1].patch);
     if (m_solve.is_out_of_time())

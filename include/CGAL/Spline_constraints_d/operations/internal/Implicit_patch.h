@@ -95,12 +95,13 @@ private:
     return std::all_of(m_gradient.begin(), m_gradient.end(), [&](const Power_polynomial& f) { return CGAL::is_zero(f(p)); });
   }
 
-  Spline_patch<3> edge(int axis, int end) const
+  Exact_rational place(int axis, int end) const
   {
     const auto [first, last] = m_patch.domain(axis);
-    const Exact_rational& value = end == 0 ? first : last;
-    return m_patch.part(axis, {value, value});
+    return end == 0 ? first : last;
   }
+
+  Spline_patch<3> edge(int axis, int end) const { return m_patch.part(axis, {place(axis, end), place(axis, end)}); }
 
   // Whether all edges have a side, or need none.
   bool find_sides()
@@ -146,12 +147,11 @@ private:
     Exact_point normal = cross(chord, difference(points[2], points[0])), slope;
     for (std::size_t i = 0; i < 3; ++i)
       slope[i] = m_gradient[i](points[1]);
-    if (is_zero(normal))
+    if (normal == Exact_point{})
       normal = cross(chord, slope);
-    return is_zero(normal) ? std::nullopt : std::optional(normal);
+    return normal == Exact_point{} ? std::nullopt : std::optional(normal);
   }
 
-  static bool is_zero(const Exact_point& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
   static Exact_point difference(const Exact_point& a, const Exact_point& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1]), Exact_rational(a[2] - b[2])}; }
 
   template <class Vector>
@@ -187,7 +187,7 @@ private:
       std::array<std::array<bool, 2>, 2> may_be_zero{};
       for (const int axis : {0, 1})
         for (const int end : {0, 1})
-          may_be_zero[axis][end] = cell.is_at_edge[axis][end] && edge(axis, end).is_one_point();
+          may_be_zero[axis][end] = cell.is_at_edge[axis][end] && m_patch.pole(axis, place(axis, end));
       result = result && has_sign(orientation(cell.functions), may_be_zero, sign, 0);
     });
     return result;

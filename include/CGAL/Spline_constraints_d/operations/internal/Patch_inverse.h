@@ -84,7 +84,7 @@ public:
       std::vector<Spline_patch<3>> next;
       for (const Spline_patch<3>& part : parts)
         for (Spline_patch<3>& half : part.halves(k % 2))
-          if (meet(half.values(), bounds))
+          if (!are_apart(half.values(), bounds))
             next.push_back(std::move(half));
       if (next.empty())
         break;
@@ -120,14 +120,6 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
       result += (a[i] - b[i]) * (a[i] - b[i]);
     return result;
-  }
-
-  static bool meet(const Vector_bounds<3>& a, const Vector_bounds<3>& b)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (a[i].upper < b[i].lower || b[i].upper < a[i].lower)
-        return false;
-    return true;
   }
 
   // Closed axes go on at their other end.

@@ -87,8 +87,8 @@ public:
     const Spline_patch<d>& surface = m_patches[operand_of(end.parameter)];
     if (surface.number_of_parameters() < 2)
       return std::nullopt;
-    const Spline_patch<d> edge = surface.part(axis_of(end.parameter), {end.value, end.value});
-    return edge.is_one_point() ? std::optional(Spline_patch<d>(edge(edge.first_corner()))) : std::nullopt;
+    const auto point = surface.pole(axis_of(end.parameter), end.value);
+    return point ? std::optional(Spline_patch<d>(*point)) : std::nullopt;
   }
 
   // With the parameters in these ranges. Those whose range is one number are parameters no more.

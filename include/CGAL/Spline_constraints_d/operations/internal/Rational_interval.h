@@ -59,6 +59,16 @@ struct Rational_interval
 template <int d>
 using Vector_bounds = std::array<Rational_interval, d>;
 
+// Whether two boxes have no common points.
+template <std::size_t d>
+bool are_apart(const std::array<Rational_interval, d>& a, const std::array<Rational_interval, d>& b)
+{
+  for (std::size_t i = 0; i < d; ++i)
+    if (a[i].upper < b[i].lower || b[i].upper < a[i].lower)
+      return true;
+  return false;
+}
+
 // Vectors of intervals, rational or of doubles.
 template <class Interval, std::size_t d>
 std::array<Interval, d> operator-(const std::array<Interval, d>& a, const std::array<Interval, d>& b)

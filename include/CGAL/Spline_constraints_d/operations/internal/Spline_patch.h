@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -164,6 +165,15 @@ public:
     for (int axis = 0; axis < number_of_parameters(); ++axis)
       result.push_back(domain(axis).first);
     return result;
+  }
+
+  // The point that an edge of a surface consists of, if it is a pole. Its corners tell of most edges that they are none.
+  std::optional<std::array<Exact_rational, d>> pole(int axis, const Exact_rational& value) const
+  {
+    const auto corner = [&](const Exact_rational& other) { return axis == 0 ? std::array{value, other} : std::array{other, value}; };
+    const auto [begin, end] = domain(1 - axis);
+    const std::array<Exact_rational, d> point = (*this)(corner(begin));
+    return point == (*this)(corner(end)) && part(axis, {value, value}).is_one_point() ? std::optional(point) : std::nullopt;
   }
 
   bool is_one_point() const

@@ -57,7 +57,7 @@ public:
   //! \throws Invalid_input when both surfaces are implicit and their boxes have no more than a face in common.
   Surface_equations(Surface_shape first, Surface_shape second, Unknowns_of_surfaces unknowns = Unknowns_of_surfaces::FEWEST) : m_surfaces{std::move(first), std::move(second)}
   {
-    if (are_apart())
+    if (are_surfaces_apart())
       return;
     const std::optional<Height_difference> heights = unknowns == Unknowns_of_surfaces::FEWEST ? height_difference() : std::nullopt;
     if (heights) {
@@ -148,7 +148,7 @@ public:
         for (const int side : {0, 1}) {
           const Parameter_range range = parameter_domain(k, axis);
           const Exact_rational& value = side == 0 ? range.first : range.second;
-          if (m_surfaces[k].patch->part(axis, {value, value}).is_one_point())   // height fields, whose parameters are functions of the unknowns, have none
+          if (m_surfaces[k].patch->pole(axis, value))   // height fields, whose parameters are functions of the unknowns, have none
             result.push_back({k, axis, side, m_parameters[k][axis].unknown, value});
         }
     return result;
@@ -181,13 +181,10 @@ private:
     return m_is_self_intersection && m_system && m_system->dimension() > direction ? std::vector<std::size_t>{direction} : std::vector<std::size_t>{};
   }
 
-  bool are_apart() const
+  bool are_surfaces_apart() const
   {
     const auto first = m_surfaces[0].bounds(), second = m_surfaces[1].bounds();
-    for (int i = 0; first && second && i < 3; ++i)
-      if ((*first)[i].upper < (*second)[i].lower || (*second)[i].upper < (*first)[i].lower)
-        return true;
-    return false;
+    return first && second && are_apart(*first, *second);
   }
 
   std::optional<Height_difference> height_difference() const

@@ -133,21 +133,19 @@ private:
     const Exact_rational& value = m_edge->end == 0 ? range.first : range.second;
     const Power_polynomial factor = Power_polynomial::variable(axis) - Power_polynomial(value);
     Spline_function function = system.equalities().front();
-    Power_polynomial factors = function.terms().empty() ? factor * factor : Power_polynomial(Exact_rational(1));
-    for (; Face_factor(function, axis, range, value).divides(); function = Face_factor(function, axis, range, value).quotient())
-      factors *= factor;
-    if (factors.is_constant() || m_b.is_closed(axis))
+    const int exponent = function.terms().empty() ? 2 : Face_factor::divide_out(function, axis, range, value);
+    if (exponent == 0 || m_b.is_closed(axis))
       return std::nullopt;
     Constraint_system_d result(domain_of(system));
-    result.add(factors, Relation::EQUAL);
+    result.add(pow(factor, exponent), Relation::EQUAL);
     return result;
   }
 
   // Whether no edge of A passes a pole of B.
   bool is_within_sides(const Surface_pole& pole) const
   {
-    const auto point = m_b.part(pole.axis, {pole.value, pole.value})(std::array{m_b.domain(1 - pole.axis).first});
-    return std::all_of(m_a.sides().begin(), m_a.sides().end(), [&](const Power_polynomial& side) { return side(point) > 0; });
+    const auto point = m_b.pole(pole.axis, pole.value);
+    return std::all_of(m_a.sides().begin(), m_a.sides().end(), [&](const Power_polynomial& side) { return side(*point) > 0; });
   }
 
   bool are_on_patch(const Surface_equations& surfaces, const Curve_solution_set_d& solutions) const
