@@ -37,6 +37,7 @@ which has one positive solution. Then each disk has such a point: none is a half
 */
 class Disk_curvature
 {
+  static constexpr double small = 0x1p-16;  // ranges over which rounding matters
   static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
@@ -73,7 +74,9 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
-    const Curvature_quotient k = quotient(part, arc, range, jet).around(quotient(middle, arc, {range.middle(), range.middle()}, jet_in_middle), shift_u, shift_v);
+    const bool is_small = (std::max)(part.range.width(), range.width()) < small;
+    const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, {range.middle(), range.middle()}, jet_in_middle), shift_u, shift_v)
+                                          : quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v);
     return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_common_arc_and_vertices(k.bounds(), part, arc, range);
   }
 
@@ -84,8 +87,8 @@ public:
     Curve_jet jet{};
     jet[0] = m_graph.vertices()[vertex].point;
     if (is_vertex_scaled(vertex))
-      return of_scaled_disk(quotient(part.jet, jet, jet[0] - part.jet.point), part);
-    Curvature_bounds result = quotient(part.jet, jet, jet[0] - part.jet.point).bounds();
+      return of_scaled_disk(quotient(part.jet, jet), part);
+    Curvature_bounds result = quotient(part.jet, jet).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
@@ -150,6 +153,8 @@ private:
   }
 
   Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, jet, way(part, arc, range, jet)); }
+
+  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y) { return quotient(x, y, y[0] - x.point); }
 
   // From the front to an arc; by way of a vertex that both have in common, which is accurate near that.
   Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const

@@ -383,14 +383,16 @@ private:
     }
   }
 
-  // The outgoing halfedge of a vertex before which there is nothing, as at infinity; the given one where others go all around it.
+  // The outgoing halfedge of a vertex with which visiting begins: at infinity the one before which there is nothing, elsewhere any.
   std::size_t first_of_star(std::size_t halfedge) const
   {
     std::size_t result = halfedge;
     while (m_halfedges[result].twin != none) {
       const std::size_t before = m_halfedges[m_halfedges[result].twin].next;
-      if (before == halfedge || is_at_infinity(m_halfedges[before]) || m_halfedges[before].source != none)
-        return before == halfedge ? halfedge : result;
+      if (is_at_infinity(m_halfedges[before]))
+        return result;
+      if (before == halfedge || m_halfedges[before].source != none)
+        return halfedge;
       result = before;
     }
     return result;

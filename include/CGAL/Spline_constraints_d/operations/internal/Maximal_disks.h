@@ -168,12 +168,17 @@ private:
     const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const auto is_rational = [&, &before = before, &after = after] {
-      const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
-      const Common_disk disk(m_graph, m_curvature, center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end), branches);
-      return disk.touches(part) && all([&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); });
-    };
-    return (is_rational() || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all()) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
+    const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
+    const Interval_pair middle = center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
+    return is_disk_common(part, branches, middle) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
+  }
+
+  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, or by symmetry.
+  bool is_disk_common(const Front_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
+  {
+    const Common_disk disk(m_graph, m_curvature, center, branches);
+    const auto touches = [&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); };
+    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all();
   }
 
   /*

@@ -7,7 +7,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Reflection_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -27,16 +26,11 @@ inline bool is_exact_arc(const Site_graph_2& graph, const Disk_contact& contact)
 
 inline bool is_exact_vertex(const Site_graph_2& graph, const Disk_contact& contact) { return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact; }
 
-// A straight arc whose parameter is a ratio of lengths, of any degree.
-inline bool is_segment(const Site_arc_2& arc)
+// Whether the ends of two arcs are certain to be at different distances: no reflection maps one to the other then.
+inline bool have_different_chords(const Site_graph_2& graph, std::size_t a, std::size_t b)
 {
-  const auto is_linear = [](const Bernstein_tensor<Exact_rational>& f) {
-    const std::vector<Exact_rational> c = f.power_coefficients();
-    return std::all_of(c.begin() + (std::min)(c.size(), std::size_t(2)), c.end(), [](const Exact_rational& x) { return sign_of(x) == 0; });
-  };
-  const auto& [x, y, w] = arc.piece().coordinates;
-  const std::vector<Exact_rational> weights = w.coefficients();
-  return arc.is_straight() && is_linear(x) && is_linear(y) && std::all_of(weights.begin(), weights.end(), [&](const Exact_rational& weight) { return weight == weights.front(); });
+  const auto chord = [&](std::size_t arc) { return squared_norm(graph.vertices()[graph.vertex_of({arc, true})].point - graph.vertices()[graph.vertex_of({arc, false})].point); };
+  return certain_sign(chord(a) - chord(b)) != 0;
 }
 
 // The reflections that map a contact to another one.
@@ -52,8 +46,10 @@ inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Di
   if (!is_exact_arc(graph, from) || !is_exact_arc(graph, to))
     return result;
   const Site_arc_2 &a = graph.arcs()[from.index], &b = graph.arcs()[to.index];
-  if (is_segment(a) && is_segment(b))
+  if (a.is_segment() && b.is_segment())
     return Reflection_2::of_lines(a, b);
+  if (have_different_chords(graph, from.index, to.index))
+    return result;
   for (const bool is_reversed : {false, true})
     append(Reflection_2::of_arcs(a, b, is_reversed));
   return result;
@@ -62,7 +58,7 @@ inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Di
 // The range of the parameter of an arc that is the image of one of another arc; of segments as much as on their lines.
 inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Site_arc_2& from, const Range& range, const Site_arc_2& to)
 {
-  if (is_segment(from) && is_segment(to)) {
+  if (from.is_segment() && to.is_segment()) {
     const Exact_pair p = mirror(from.at(0)), q = mirror(from.at(1)), c = to.at(0), d = to.at(1), along{Exact_rational(d[0] - c[0]), Exact_rational(d[1] - c[1])};
     if (!to.is_on_line_or_circle(p) || !to.is_on_line_or_circle(q))
       return std::nullopt;

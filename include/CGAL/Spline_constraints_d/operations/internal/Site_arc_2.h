@@ -143,7 +143,7 @@ class Site_arc_2
   std::array<Polynomial_jet, 3> m_coordinates;
   std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
   bool m_is_polynomial = true;
-  bool m_is_straight = true;
+  bool m_is_straight = true, m_is_segment = false;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
   Interval_pair m_center{};                                        // of the circle
   Interval m_squared_radius;
@@ -166,6 +166,7 @@ public:
         m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error, 0);
       }
     m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
+    m_is_segment = m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
     if (!m_is_straight)
       m_circle = circle_through_all_points();
     if (m_circle) {
@@ -177,6 +178,9 @@ public:
   const Homogeneous_piece& piece() const { return m_piece; }
   int degree() const { return (std::max)({m_piece.coordinates[0].degree(0), m_piece.coordinates[1].degree(0), m_piece.coordinates[2].degree(0)}); }
   bool is_straight() const { return m_is_straight; }
+
+  // Whether the arc is straight, and its parameter a ratio of lengths, whatever its degree.
+  bool is_segment() const { return m_is_segment; }
 
   // The circle the arc lies on.
   const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
@@ -260,6 +264,12 @@ private:
     for (Exact_rational& c : coefficients)
       c /= number;
     return {tensor.degrees(), std::move(coefficients)};
+  }
+
+  static bool is_linear(const Bernstein_tensor<Exact_rational>& tensor)
+  {
+    const std::vector<Exact_rational> c = tensor.power_coefficients();
+    return c.size() < 3 || std::all_of(c.begin() + 2, c.end(), [](const Exact_rational& x) { return sign_of(x) == 0; });
   }
 
   static Bernstein_tensor<Exact_rational> reversed(const Bernstein_tensor<Exact_rational>& tensor)
