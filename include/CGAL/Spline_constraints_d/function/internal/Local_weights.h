@@ -41,12 +41,11 @@ public:
     for (std::size_t j = 0; j < u.size(); ++j) {
       if (!(axes[j].begin() <= u[j] && u[j] <= axes[j].end()))
         throw Invalid_input(who + "parameter " + std::to_string(j) + " is outside of the domain");
-      const std::size_t span = span_of(axes[j], u[j]);
-      m_lower.push_back(static_cast<int>(span) - axes[j].degree);
-      m_degrees.push_back(axes[j].degree);
       m_extents.push_back(static_cast<int>(axes[j].size()) - 1);
-      for (int r = 0; r <= order; ++r)
-        add_weights(m_weights[j], derivative_weights(axes[j], span, u[j], r));
+      if (const bool is_at_begin = u[j] == axes[j].begin(); order == 0 && (is_at_begin || u[j] == axes[j].end()) && axes[j].is_clamped())
+        add_control_point(m_weights[j], is_at_begin ? 0 : m_extents.back());
+      else
+        add_span(m_weights[j], axes[j], u[j], order);
     }
   }
 
@@ -79,6 +78,23 @@ public:
   }
 
 private:
+  // At an end of clamped knots, where the value is that of a control point.
+  void add_control_point(std::vector<std::vector<Number>>& weights, int index)
+  {
+    m_lower.push_back(index);
+    m_degrees.push_back(0);
+    weights.push_back({Number(1)});
+  }
+
+  void add_span(std::vector<std::vector<Number>>& weights, const Knot_axis<NT>& axis, const NT& u, int order)
+  {
+    const std::size_t span = span_of(axis, u);
+    m_lower.push_back(static_cast<int>(span) - axis.degree);
+    m_degrees.push_back(axis.degree);
+    for (int r = 0; r <= order; ++r)
+      add_weights(weights, derivative_weights(axis, span, u, r));
+  }
+
   static void add_weights(std::vector<std::vector<NT>>& all, std::vector<NT> weights) { all.push_back(std::move(weights)); }
 
   // All orders over the denominator of the first one, which those of the others divide.

@@ -6,12 +6,14 @@
 
 #include <CGAL/Spline_constraints_d/function/Bspline_function.h>
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
+#include <CGAL/Spline_constraints_d/function/internal/Values_at_point.h>
 #include <CGAL/Spline_constraints_d/function/weight_sign.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Rational_interval.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -140,8 +142,7 @@ public:
 
   std::array<Exact_rational, d> operator()(std::span<const Exact_rational> parameters) const
   {
-    const Local_weights<Exact_rational> weights(m_numerators[0].axes(), parameters, 0, "Spline_patch: ");
-    const auto value = [&](const Exact_function& f) { return f.axes() == m_numerators[0].axes() ? weights.value(f.coefficients()) : f(parameters); };
+    const Values_at_point<Exact_rational> value(m_numerators[0], parameters);
     std::array<Exact_rational, d> result;
     for (int i = 0; i < d; ++i)
       result[i] = value(m_numerators[i]);
@@ -159,26 +160,25 @@ public:
     return result;
   }
 
-  std::vector<Exact_rational> first_corner() const
-  {
-    std::vector<Exact_rational> result;
-    for (int axis = 0; axis < number_of_parameters(); ++axis)
-      result.push_back(domain(axis).first);
-    return result;
-  }
+  std::vector<Exact_rational> first_corner() const { return corner(&Parameter_range::first); }
+  std::vector<Exact_rational> last_corner() const { return corner(&Parameter_range::second); }
 
-  // The point that an edge of a surface consists of, if it is a pole. Its corners tell of most edges that they are none.
+  // The point that an edge of a surface consists of, if it is a pole.
   std::optional<std::array<Exact_rational, d>> pole(int axis, const Exact_rational& value) const
   {
-    const auto corner = [&](const Exact_rational& other) { return axis == 0 ? std::array{value, other} : std::array{other, value}; };
-    const auto [begin, end] = domain(1 - axis);
-    const std::array<Exact_rational, d> point = (*this)(corner(begin));
-    return point == (*this)(corner(end)) && part(axis, {value, value}).is_one_point() ? std::optional(point) : std::nullopt;
+    const Spline_patch edge = part(axis, {value, value});
+    return edge.is_one_point() ? std::optional(edge(edge.first_corner())) : std::nullopt;
   }
 
+  // Rational ones are mostly told by two corners.
   bool is_one_point() const
   {
+    const auto is_constant = [](const Exact_function& f) { return std::adjacent_find(f.coefficients().begin(), f.coefficients().end(), std::not_equal_to<>()) == f.coefficients().end(); };
+    if (!m_is_rational)
+      return std::all_of(m_numerators.begin(), m_numerators.end(), is_constant);
     const std::array<Exact_rational, d> point = (*this)(first_corner());
+    if (point != (*this)(last_corner()))
+      return false;
     for (int i = 0; i < d; ++i)
       if (!(m_numerators[i] == m_weight * point[i]))
         return false;
@@ -211,6 +211,9 @@ public:
 
   bool is_closed(int axis) const
   {
+    const auto have_same_faces = [axis](const Exact_function& x) { return x.face(axis, 0) == x.face(axis, 1); };
+    if (!m_is_rational)
+      return std::all_of(m_numerators.begin(), m_numerators.end(), have_same_faces);
     const Exact_function w[] = {m_weight.face(axis, 0), m_weight.face(axis, 1)};
     return std::all_of(m_numerators.begin(), m_numerators.end(), [&](const Exact_function& x) { return x.face(axis, 0) * w[1] == x.face(axis, 1) * w[0]; });
   }
@@ -264,6 +267,14 @@ public:
   }
 
 private:
+  std::vector<Exact_rational> corner(Exact_rational Parameter_range::* end) const
+  {
+    std::vector<Exact_rational> result;
+    for (int axis = 0; axis < number_of_parameters(); ++axis)
+      result.push_back(domain(axis).*end);
+    return result;
+  }
+
   static Exact_function constant(const Exact_rational& value) { return Exact_function() + value; }
 
   // The control points of the weight are positive on parts that are small enough.

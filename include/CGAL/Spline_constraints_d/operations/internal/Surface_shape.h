@@ -67,8 +67,9 @@ struct Surface_shape
       const auto [begin, end] = rounded[0].domain(axis);
       parameters[axis] = (std::min)((std::max)(parameters[axis], begin), end);
     }
-    const double weight = patch->is_rational() ? rounded[3](parameters) : 1;
-    return {rounded[0](parameters) / weight, rounded[1](parameters) / weight, rounded[2](parameters) / weight};
+    const Values_at_point<double> value(rounded[0], parameters);
+    const double weight = patch->is_rational() ? value(rounded[3]) : 1;
+    return {value(rounded[0]) / weight, value(rounded[1]) / weight, value(rounded[2]) / weight};
   }
 
 private:
