@@ -6,7 +6,7 @@
 //   surface_intersection [A B] [--output FILE.svg|FILE.vtp]
 //
 // A and B are files of GoTools (.g2) or IRIT (.itd), the first surface of each counts; without them data/surfaces/waves.g2 and ring.g2 are taken. The curves are drawn on the surfaces (.svg; those along
-// which they touch in violet), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
+// which they touch in violet, singular points as dots), or written as polylines (.vtp, for ParaView). Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include "surface_scene.h"
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
@@ -42,6 +42,8 @@ void write(const std::string& path, const Surface& a, const Surface& b, const SC
     scene.add(b, {255, 190, 110});
     for (std::size_t i = 0; i < polylines.size(); ++i)
       scene.add(polylines[i], set.curves()[i].kind() == SC::Intersection_kind::TANGENT ? "#7a00a8" : "#c00020");
+    for (const auto& singular : set.singular_points())
+      scene.mark(singular.point(), "black");
     scene.write(out);
   } else
     SC::IO::write_VTP(out, polylines);

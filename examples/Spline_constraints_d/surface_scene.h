@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ class Scene
   struct Patch
   {
     double depth;
-    std::vector<K::Point_2> corners;   // two of a chord
+    std::vector<K::Point_2> corners;   // two of a chord, one of a mark
     std::string color;
     double width = 0;
   };
@@ -67,13 +68,21 @@ public:
     }
   }
 
+  // In front of all.
+  void mark(const K::Point_3& point, const std::string& color)
+  {
+    add_patch({point}, color, std::numeric_limits<double>::infinity(), 10);
+  }
+
   void write(std::ostream& out)
   {
     const double margin = (m_box.xmax() - m_box.xmin()) / 40;
     CGAL::Spline_constraints::SVG_writer picture(out, CGAL::Bbox_2(m_box.xmin() - margin, m_box.ymin() - margin, m_box.xmax() + margin, m_box.ymax() + margin), 640);
     std::stable_sort(m_patches.begin(), m_patches.end(), [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
     for (const Patch& patch : m_patches)
-      if (patch.corners.size() == 2)
+      if (patch.corners.size() == 1)
+        picture.point(patch.corners[0], patch.color, patch.width);
+      else if (patch.corners.size() == 2)
         picture.curve(CGAL::Spline_constraints::polyline_curve(patch.corners), patch.color, patch.width);
       else
         picture.polygon(patch.corners, patch.color);
@@ -93,7 +102,7 @@ private:
 
   void add_patch(const std::vector<K::Point_3>& corners, const std::string& color, double nearer, double width = 0)
   {
-    const double grid = corners.size() == 2 ? 1024 : 100;   // for short numbers in the file
+    const double grid = corners.size() <= 2 ? 1024 : 100;   // for short numbers in the file
     Patch patch{nearer, {}, color, width};
     for (const K::Point_3& p : corners) {
       const double across = std::cos(turn) * p.x() - std::sin(turn) * p.y(), away = std::sin(turn) * p.x() + std::cos(turn) * p.y();
