@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -74,6 +75,18 @@ TEST(NearlySmoothJoints, EdgesBeginInCorners)
       }
   }
   EXPECT_EQ(corners, 1U);
+}
+
+// An angle of 2^-16, and small pieces far from the origin: disks that touch both sides of it are told apart by ways that are short, not by coordinates.
+TEST(NearlySmoothJoints, SmallPiecesFarFromTheOrigin)
+{
+  const auto at = [](double x, double y) { return P(1024 + x, 1024 + y); };
+  const Curves curves{bezier({at(0, 0), at(0x1p-6, 0)}), bezier({at(0x1p-6, 0), at(0x1p-5, 0x1p-22)}), bezier({at(0, 0x1p-5), at(0x1p-7, 3 * 0x1p-7), at(0x1p-6, 3 * 0x1p-7), at(0x1p-5, 0x1p-5)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram).tips, 2U);   // the corner, and a center of curvature above the cubic
+  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() == 1 && distance(v.point, at(0x1p-6, 0)) < 1e-9; }));
+  expect_euler(diagram);
 }
 
 double area(const Curves& curves, double radius)

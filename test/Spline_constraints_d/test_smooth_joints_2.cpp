@@ -93,6 +93,16 @@ TEST(SmoothJoints, Drop)
   expect_empty_disks(diagram, curves);
 }
 
+// A line goes on straight, and a curve leaves it: disks on that side go over from the line to the curve.
+TEST(SmoothJoints, Branch)
+{
+  const Curves curves{bezier({P(0, 0), P(12, 0)}), bezier({P(0, 0), P(0, -4)}), bezier({P(0, -4), P(0, -16)}), bezier({P(0, -4), P(0, -8), P(1, -10), P(2, -12)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 // Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles are.
 TEST(SmoothJoints, RandomClosedSplines)
 {

@@ -137,6 +137,32 @@ TEST(VoronoiDiagrams, HalfPlanesThatTouchThreeCircles)
   expect_euler(diagram);
 }
 
+TEST(VoronoiDiagrams, HalfPlanesThatTouchCopies)
+{
+  // Three copies of a curve in a row: above, where they are touched is not rational; below, they are touched in their last points, and the first one also in both of its ends.
+  Curves copies;
+  for (const double k : {0, 1, 2})
+    copies.push_back(bezier({P(6 * k, k), P(6 * k + 1, k + 2), P(6 * k + 3, k + 3), P(6 * k + 5, k)}));
+  const Diagram diagram = SC::voronoi_diagram(copies);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(counts(diagram).far, 3U);
+  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity && v.edges.size() == 2; }), 2);
+  expect_euler(diagram);
+}
+
+TEST(VoronoiDiagrams, FansOfACommonDisk)
+{
+  // Four wedges that point to a center: the disk there touches each in the middle of the normals of its point.
+  Curves wedges;
+  for (const auto& [x, y] : std::vector<std::pair<double, double>>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
+    for (const int side : {-1, 1})
+      wedges.push_back(bezier({P(x, y), P(3 * x - side * y, 3 * y + side * x)}));
+  const Diagram diagram = SC::voronoi_diagram(wedges);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 4 && distance(v.point, P(0, 0)) < 1e-12; }));
+  expect_euler(diagram);
+}
+
 TEST(VoronoiDiagrams, FanOnTheLineOfASegment)
 {
   // The half-plane below touches a corner and a segment.

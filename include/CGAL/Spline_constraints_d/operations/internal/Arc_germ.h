@@ -40,12 +40,13 @@ inline int half_of_directions(const Exact_pair& d) { return sign_of(d[1]) < 0 ||
 
 inline bool are_same_directions(const Exact_pair& p, const Exact_pair& q) { return sign_of(exact_cross(p, q)) == 0 && sign_of(exact_dot(p, q)) > 0; }
 
-// A direction between two that form an angle of 90 to 180 degrees, the second clockwise from the first: perpendicular to one of them, or near their bisector.
+// A direction between two that form an angle of 90 to 180 degrees, the second clockwise from the first: perpendicular to one of them, or near their bisector. It has short coordinates, so that it is that of a symmetric drawing, or not nearly.
 inline Exact_pair direction_between(const Exact_pair& from, const Exact_pair& to)
 {
   const double a = std::atan2(CGAL::to_double(from[1]), CGAL::to_double(from[0])), b = std::atan2(CGAL::to_double(to[1]), CGAL::to_double(to[0]));
   const double angle = (a + (b < a ? b : b - 2 * CGAL_PI)) / 2;
-  const Exact_pair proposal{Exact_rational(std::cos(angle)), Exact_rational(std::sin(angle))};
+  const auto rounded = [](double x) { return Exact_rational(std::round(64 * x) / 64); };
+  const Exact_pair proposal{rounded(std::cos(angle)), rounded(std::sin(angle))};
   const auto is_clockwise = [](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(x, y)) < 0; };
   return is_clockwise(from, proposal) && is_clockwise(proposal, to) ? proposal : Exact_pair{from[1], Exact_rational(-from[0])};
 }

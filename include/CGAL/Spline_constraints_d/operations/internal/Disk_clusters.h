@@ -227,7 +227,7 @@ private:
   {
     for (Cluster& cluster : m_clusters)
       for (const bool end : {false, true}) {
-        const auto continuation = m_curvature.continuation({cluster.arc, end});
+        const auto continuation = m_curvature.continuation(m_part, {cluster.arc, end});
         const Cluster* next = continuation ? cluster_at(*continuation) : nullptr;
         if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of({cluster.arc, end})))
           continue;

@@ -300,7 +300,7 @@ private:
   // What disks touch if the maximum is not in the arc, but beyond its end; nothing if the maximum cannot be there.
   std::optional<Located_contact> contact_beyond(const Arc_end& end)
   {
-    const auto continuation = m_curvature.continuation(end);
+    const auto continuation = m_curvature.continuation(m_part, end);
     const std::size_t vertex = m_graph.vertex_of(end);
     if (!continuation)
       return Located_contact{{Disk_contact::Kind::VERTEX, vertex}};
@@ -320,7 +320,7 @@ private:
       if (cluster != nullptr && cluster->ends[other.is_end] != End_state::MAXIMUM)
         return;   // the maximum is in the other arc, or it has the vertex as a possible move
     }
-    if (const auto continuation = m_curvature.continuation(end); continuation && m_clusters.cluster_at(*continuation) == nullptr)
+    if (const auto continuation = m_curvature.continuation(m_part, end); continuation && m_clusters.cluster_at(*continuation) == nullptr)
       return;   // it is too low there
     if (m_front.is_fan && m_front.object == vertex) {
       m_are_known = false;

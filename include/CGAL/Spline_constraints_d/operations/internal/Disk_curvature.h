@@ -38,6 +38,7 @@ which has one positive solution. Then each disk has such a point: none is a half
 class Disk_curvature
 {
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
+  static constexpr double accurate = 0x1p-46;   // the relative error of a difference of points that cannot be much smaller
   static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
@@ -50,11 +51,11 @@ public:
   bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
   bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
-  // How an arc goes on, if both are scaled or neither is: with one maximum of the curvature for both.
-  std::optional<Arc_end> continuation(const Arc_end& end) const
+  // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for both. The arc that goes on has this one as its own continuation.
+  std::optional<Arc_end> continuation(const Front_part& part, const Arc_end& end) const
   {
-    const auto& smooth = m_graph.continuation(end);
-    return smooth && is_arc_scaled(end.arc) == is_arc_scaled(smooth->end.arc) ? std::optional(smooth->end) : std::nullopt;
+    const auto next = next_on_side_of(part, end);
+    return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end ? next : std::nullopt;
   }
 
   Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
@@ -88,7 +89,7 @@ public:
     jet[0] = m_graph.vertices()[vertex].point;
     if (is_vertex_scaled(vertex))
       return of_scaled_disk(quotient(part.jet, jet), part);
-    Curvature_bounds result = quotient(part.jet, jet).bounds();
+    Curvature_bounds result = quotient(part.jet, jet, way(part, vertex)).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
@@ -133,6 +134,20 @@ public:
   }
 
 private:
+  // Where several arcs leave a vertex in the same direction, that on the side from which disks touch them.
+  std::optional<Arc_end> next_on_side_of(const Front_part& part, const Arc_end& end) const
+  {
+    const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
+    if (vertex.ends.size() > 2 && m_graph.is_exact(end)) {
+      const Interval_pair tangent = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1];
+      const int side = certain_sign(dot(turned_left(tangent), part.jet.point - vertex.point)) * (end.is_end ? 1 : -1);
+      if (const auto beside = side != 0 ? m_graph.continuation_beside(end, side > 0) : std::nullopt)
+        return beside;
+    }
+    const auto& smooth = m_graph.continuation(end);
+    return smooth ? std::optional(smooth->end) : std::nullopt;
+  }
+
   Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Front_part& part) const
   {
     const Interval_pair& n = part.jet.normal;
@@ -156,21 +171,53 @@ private:
 
   static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y) { return quotient(x, y, y[0] - x.point); }
 
-  // From the front to an arc; by way of a vertex that both have in common, which is accurate near that.
+  // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
   Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     const Front& front = m_graph.fronts()[part.front];
     Interval_pair result = jet[0] - part.jet.point;
+    if (is_accurate(result) || (!front.is_fan && front.object == arc))
+      return result;
     for (const bool end : {false, true})
-      if (m_graph.is_exact({arc, end})) {
-        const std::size_t vertex = m_graph.vertex_of({arc, end});
-        if (front.is_fan && front.object == vertex)
-          result = common_part(result, m_graph.arcs()[arc].way_from_end(end, range));
-        for (const bool own : {false, true})
-          if (!front.is_fan && front.object != arc && m_graph.vertex_of({front.object, own}) == vertex && m_graph.is_exact({front.object, own}))
-            result = common_part(result, m_graph.arcs()[arc].way_from_end(end, range) - m_graph.arcs()[front.object].way_from_end(own, part.range));
-      }
+      if (const Arc_end other{arc, end}; m_graph.is_exact(other))
+        if (const auto to_end = way_to_vertex(part, m_graph.vertex_of(other), end == (range.middle() > 0.5)))
+          result = common_part(result, *to_end + m_graph.arcs()[arc].way_from_end(end, range));
     return result;
+  }
+
+  // From the front to a vertex.
+  Interval_pair way(const Front_part& part, std::size_t vertex) const
+  {
+    const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
+    const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact ? way_to_vertex(part, vertex, true) : std::nullopt;
+    return short_way ? common_part(result, *short_way) : result;
+  }
+
+  // From the front to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an end.
+  std::optional<Interval_pair> way_to_vertex(const Front_part& part, std::size_t vertex, bool is_any_vertex) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    std::optional<Interval_pair> result;
+    const auto add = [&](std::size_t from, const Interval_pair& way) {
+      const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
+      result = result ? common_part(*result, whole) : whole;
+    };
+    const auto is_taken = [&](std::size_t from, bool is_near) { return from == vertex || (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact); };
+    if (front.is_fan && is_taken(front.object, true))
+      add(front.object, {Interval(0), Interval(0)});
+    if (!front.is_fan)
+      for (const bool own : {false, true})
+        if (const Arc_end end{front.object, own}; m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
+          add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[front.object].way_from_end(own, part.range));
+    return result;
+  }
+
+  // Whether a difference of coordinates is not much smaller than these.
+  static bool is_accurate(const Interval_pair& way)
+  {
+    const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
+    const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
+    return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
   static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y, const Interval_pair& d)

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_MAXIMAL_DISKS_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Common_disk.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Common_half_plane.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
@@ -173,12 +174,13 @@ private:
     return is_disk_common(part, branches, middle) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
-  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, or by symmetry.
+  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies.
   bool is_disk_common(const Front_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
   {
     const Common_disk disk(m_graph, m_curvature, center, branches);
     const auto touches = [&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); };
-    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all();
+    return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all() ||
+           Common_half_plane(m_graph, m_curvature, part).touches_all(branches);
   }
 
   /*

@@ -5,10 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REFLECTION_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Control_points_2.h>
 
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -83,39 +81,8 @@ public:
   // Whether the line passes through a point, perpendicularly to a direction.
   bool is_perpendicular(const Exact_pair& p, const Exact_pair& direction) const { return exact_dot(m_normal, p) == m_offset && sign_of(exact_cross(m_normal, direction)) == 0; }
 
-  // Whether the image of an arc is another one, or itself, with the parameter 1 - t or t: their control points are.
-  bool maps(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed) const
-  {
-    if (a.degree() != b.degree())
-      return false;
-    const Control_points p(a), q(b);
-    const std::size_t last = p.size() - 1;
-    for (std::size_t i = 0; i <= last; ++i) {
-      const std::size_t j = is_reversed ? last - i : i, first = is_reversed ? last : 0;
-      if (p.weight(i) * q.weight(first) != q.weight(j) * p.weight(0) || (*this)(p.point(i)) != q.point(j))
-        return false;
-    }
-    return true;
-  }
-
-private:
-  class Control_points
-  {
-    std::array<std::vector<Exact_rational>, 3> m_coefficients;
-
-  public:
-    explicit Control_points(const Site_arc_2& arc)
-    {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Bernstein_tensor<Exact_rational>& f = arc.piece().coordinates[k];
-        m_coefficients[k] = (f.degree(0) < arc.degree() ? f.elevated({arc.degree()}) : f).coefficients();
-      }
-    }
-
-    std::size_t size() const { return m_coefficients[2].size(); }
-    const Exact_rational& weight(std::size_t i) const { return m_coefficients[2][i]; }
-    Exact_pair point(std::size_t i) const { return {Exact_rational(m_coefficients[0][i] / weight(i)), Exact_rational(m_coefficients[1][i] / weight(i))}; }
-  };
+  // Whether the image of an arc is another one, or itself, with the parameter 1 - t or t.
+  bool maps(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
 };
 
 } // namespace internal

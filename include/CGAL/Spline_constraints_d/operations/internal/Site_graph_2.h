@@ -41,6 +41,7 @@ public:
     std::vector<Arc_end> ends;          // of the arcs here, counterclockwise
     std::vector<std::size_t> fans;
     bool is_exact = true;
+    Interval_pair rest{Interval(0), Interval(0)};   // the exact point less the begin of the enclosure
   };
 
   // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of that.
@@ -71,8 +72,11 @@ public:
   std::size_t add_point(const Exact_pair& point)
   {
     const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
-    if (is_new)
-      m_vertices.push_back({point, {interval_of(point[0]), interval_of(point[1])}, {}, {}});
+    if (is_new) {
+      const Interval_pair enclosed{interval_of(point[0]), interval_of(point[1])};
+      const auto rest = [&](std::size_t k) { return interval_of(Exact_rational(point[k] - Exact_rational(enclosed[k].inf()))); };
+      m_vertices.push_back({point, enclosed, {}, {}, true, {rest(0), rest(1)}});
+    }
     return position->second;
   }
 
@@ -146,6 +150,14 @@ public:
     return u == 1 ? end : begin + u * (end - begin);
   }
 
+  // From one vertex to another one, both known exactly, with a small relative error.
+  Interval_pair way_between(std::size_t from, std::size_t to) const
+  {
+    const Vertex &p = m_vertices[from], &q = m_vertices[to];
+    const auto way = [&](std::size_t k) { return Interval(q.point[k].inf()) - Interval(p.point[k].inf()) + (q.rest[k] - p.rest[k]); };
+    return {way(0), way(1)};
+  }
+
   std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
 
   // Whether an arc ends where its piece does.
@@ -155,6 +167,14 @@ public:
   bool is_proved() const { return m_is_proved; }
 
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+
+  // The arc that leaves a vertex in the direction in which another one arrives, if it is the next one on a side of that, as for disks that touch both there.
+  std::optional<Arc_end> continuation_beside(const Arc_end& end, bool is_left) const
+  {
+    const Arc_end& next = next_around_vertex({false, end.arc, is_left != end.is_end}, end);
+    const Exact_pair &p = direction(end), &q = direction(next);
+    return sign_of(exact_dot(p, q)) < 0 && sign_of(exact_cross(p, q)) == 0 ? std::optional(next) : std::nullopt;
+  }
 
   const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
 
