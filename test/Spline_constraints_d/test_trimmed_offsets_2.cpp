@@ -295,8 +295,8 @@ TEST(TrimmedOffsets, CoincidentControlPoints)
     std::vector<P> boundary;
     double length = 0;
     for (const Curve& curve : curves)
-      for (int i = 0; i <= 1000; ++i) {
-        boundary.push_back(curve(i / 1000.0));
+      for (int i = 0; i <= 400; ++i) {
+        boundary.push_back(curve(i / 400.0));
         if (i > 0)
           length += std::sqrt(CGAL::squared_distance(boundary.back(), boundary[boundary.size() - 2]));
       }
