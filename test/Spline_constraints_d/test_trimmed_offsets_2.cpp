@@ -279,6 +279,48 @@ double distance(const P& p, const std::vector<P>& points)
 }
 
 // Curves that cross each other and themselves.
+// Where the first or last two control points of a cubic coincide, as in many drawings, its derivative is zero and its curvature infinite. Convex regions grow by their length times the distance, and a disk; what is left of them inside has the distance.
+TEST(TrimmedOffsets, CoincidentControlPoints)
+{
+  const P a(4, 0), b(6, 0), c(6, 2);
+  int asked = 0;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(0, 6);
+  for (const Curve& rounded : {bezier({a, a, b, c}), bezier({c, b, a, a}), bezier({a, b, c, c}), bezier({a, a, P(6, 1), P(6, 3)}), bezier({a, a, c, c})}) {
+    Curves curves{rounded};
+    const P end = rounded(0) == a ? rounded(1) : rounded(0);
+    const std::vector<P> corners{end, P(6, 6), P(0, 6), P(0, 0), a};
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+      curves.push_back(bezier({corners[i], corners[i + 1]}));
+    std::vector<P> boundary;
+    double length = 0;
+    for (const Curve& curve : curves)
+      for (int i = 0; i <= 400; ++i) {
+        boundary.push_back(curve(i / 400.0));
+        if (i > 0)
+          length += std::sqrt(CGAL::squared_distance(boundary.back(), boundary[boundary.size() - 2]));
+      }
+    const auto region = SC::planar_region(curves);
+    const double r = 0.3;
+    const Offset grown = SC::trimmed_offset(region, r), shrunk = SC::trimmed_offset(region, -r);
+    EXPECT_EQ(counts(grown).components, 1U);
+    EXPECT_NEAR(area(grown), SC::to_nearest_double(region.area().first) + r * length + pi * r * r, tolerance);
+    EXPECT_EQ(counts(shrunk).components, 1U);
+    const auto polygons = shrunk.polygons_with_holes(1e-4);
+    ASSERT_EQ(polygons.size(), 1U);
+    for (const P& p : polygons[0].outer_boundary())
+      EXPECT_NEAR(distance(p, boundary), r, 1e-3);
+    for (int i = 0; i < 40; ++i) {
+      const double x = coordinate(random), y = coordinate(random);
+      if (const double d = distance(P(x, y), boundary); std::abs(d - r) > 0.01) {
+        EXPECT_EQ(polygons[0].outer_boundary().bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE, d > r && region.bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE);
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 150);
+}
+
 TEST(TrimmedOffsets, RandomScenes)
 {
   std::mt19937 random(5);

@@ -39,6 +39,7 @@ class Disk_slope
     Polynomial_pair point;
     Power_polynomial weight;
     Polynomial_pair derivative;
+    Polynomial_pair tangent;   // without zeros of the derivative in the ends
   };
 
   double m_scale = 1;   // of the parameter of the arc
@@ -61,7 +62,7 @@ public:
     } else {
       const Polynomial_curve x = polynomial_curve(graph, {front.object, front_end}, 0, Exact_rational(1));
       const Power_polynomial way(front.is_reversed == front_end ? 1 : -1);
-      normal = {-way * x.derivative[1], way * x.derivative[0]};
+      normal = {-way * x.tangent[1], way * x.tangent[0]};
       for (std::size_t k = 0; k < 2; ++k)
         z[k] = y.point[k] * x.weight - x.point[k] * y.weight;
       weight = x.weight;
@@ -137,10 +138,13 @@ private:
         result = result * t + Power_polynomial(*c);
       return result;
     };
-    const auto& [x, y, w] = graph.arcs()[end.arc].piece().coordinates;
-    Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}};
-    for (std::size_t k = 0; k < 2; ++k)
+    const Site_arc_2& arc = graph.arcs()[end.arc];
+    const auto& [x, y, w] = arc.piece().coordinates;
+    Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}, {}};
+    for (std::size_t k = 0; k < 2; ++k) {
       result.derivative[k] = result.point[k].derivative(variable) * result.weight - result.point[k] * result.weight.derivative(variable);
+      result.tangent[k] = arc.has_singular_end() ? Power_polynomial(end.is_end ? -1 : 1) * polynomial(arc.tangent()[k]) : result.derivative[k];
+    }
     return result;
   }
 };

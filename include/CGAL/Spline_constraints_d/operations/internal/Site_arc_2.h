@@ -142,6 +142,9 @@ class Site_arc_2
   Homogeneous_piece m_piece;
   std::array<Polynomial_jet, 3> m_coordinates;
   std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
+  std::array<int, 2> m_zeros{};                                    // of the derivative in both ends, where these are exact and the piece is polynomial
+  std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;       // the derivative without these zeros, where there are any
+  std::array<Polynomial_jet, 2> m_tangent_jet;
   bool m_is_polynomial = true;
   bool m_is_straight = true, m_is_segment = false;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
@@ -165,6 +168,8 @@ public:
         const Bernstein_tensor<Exact_rational> way = k == 2 ? m_piece.coordinates[k] : m_piece.coordinates[k] - m_piece.coordinates[2] * (end ? b : a)[k];
         m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error, 0);
       }
+    if (m_is_polynomial && sign_of(error) == 0)
+      divide_derivative();
     m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     m_is_segment = m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
     if (!m_is_straight)
@@ -217,6 +222,42 @@ public:
     const Exact_pair d = direction_at(t);
     const Exact_rational w = m_piece.coordinates[2](std::array<Exact_rational, 1>{t}), square = w * w;
     return {Exact_rational(d[0] / square), Exact_rational(d[1] / square)};
+  }
+
+  /*
+  In drawings, the first two control points of a cubic often coincide, or the last two. There the derivative is zero, but the curve has a tangent: X' = t^i (1-t)^j D, where D is not zero in the ends. For other arcs D = X'.
+  */
+  bool has_singular_end() const { return m_zeros[0] + m_zeros[1] > 0; }
+
+  // D, of an arc with such an end.
+  const std::array<Bernstein_tensor<Exact_rational>, 2>& tangent() const { return m_tangent; }
+
+  Exact_pair tangent_at(const Exact_rational& t) const
+  {
+    const std::array<Exact_rational, 1> u{t};
+    return has_singular_end() ? Exact_pair{m_tangent[0](u), m_tangent[1](u)} : derivative_at(t);
+  }
+
+  // D and its derivative.
+  std::array<Interval_pair, 2> tangent_jet(const Range& range) const
+  {
+    if (!has_singular_end()) {
+      const Curve_jet x = jet(range, 2);
+      return {x[1], x[2]};
+    }
+    const auto& [x, y] = m_tangent_jet;
+    return {Interval_pair{x(0, range), y(0, range)}, Interval_pair{x(1, range), y(1, range)}};
+  }
+
+  // t^i (1-t)^j, with which X' = t^i (1-t)^j D.
+  Interval tangent_factor(const Range& range) const
+  {
+    Interval result(1);
+    for (int i = 0; i < m_zeros[0]; ++i)
+      result *= range.interval();
+    for (int j = 0; j < m_zeros[1]; ++j)
+      result *= Interval(1) - range.interval();
+    return result;
   }
 
   Interval_pair point(const Range& range) const { return jet(range, 0)[0]; }
@@ -277,6 +318,27 @@ private:
     std::vector<Exact_rational> coefficients = tensor.coefficients();
     std::reverse(coefficients.begin(), coefficients.end());
     return {tensor.degrees(), std::move(coefficients)};
+  }
+
+  // With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).
+  void divide_derivative()
+  {
+    if (m_piece.coordinates[0].degree(0) != m_piece.coordinates[1].degree(0))
+      return;
+    std::array<std::vector<Exact_rational>, 2> b{m_piece.coordinates[0].derivative(0).coefficients(), m_piece.coordinates[1].derivative(0).coefficients()};
+    for (const std::size_t end : {0, 1})
+      for (; b[0].size() > 1 && sign_of(end == 0 ? b[0].front() : b[0].back()) == 0 && sign_of(end == 0 ? b[1].front() : b[1].back()) == 0; ++m_zeros[end])
+        for (std::vector<Exact_rational>& c : b) {
+          const int degree = static_cast<int>(c.size()) - 1;
+          c.erase(end == 0 ? c.begin() : c.end() - 1);
+          for (int i = 0; i < degree; ++i)
+            c[static_cast<std::size_t>(i)] *= Exact_rational(degree) / Exact_rational(end == 0 ? i + 1 : degree - i);
+        }
+    if (has_singular_end())
+      for (const std::size_t k : {0, 1}) {
+        m_tangent[k] = Bernstein_tensor<Exact_rational>({static_cast<int>(b[k].size()) - 1}, b[k]);
+        m_tangent_jet[k] = Polynomial_jet(m_tangent[k], 0, 1);
+      }
   }
 
   // Leibniz: (X w)^(k) = sum_i (k over i) X^(i) w^(k-i).

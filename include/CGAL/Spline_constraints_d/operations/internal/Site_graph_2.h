@@ -262,9 +262,11 @@ public:
       const Interval_pair difference = front.normals[1] - front.normals[0];
       return {m_vertices[front.object].point, {Interval(0), Interval(0)}, {front.normals[0][0] + u * difference[0], front.normals[0][1] + u * difference[1]}, difference};
     }
-    const Curve_jet jet = m_arcs[front.object].jet(range, 2);
+    const Site_arc_2& arc = m_arcs[front.object];
+    const Curve_jet jet = arc.jet(range, 2);
     const Interval side(front.is_reversed ? -1 : 1);
-    return {jet[0], jet[1], side * turned_left(jet[1]), side * turned_left(jet[2])};
+    const auto [tangent, change] = arc.has_singular_end() ? arc.tangent_jet(range) : std::array{jet[1], jet[2]};
+    return {jet[0], jet[1], side * turned_left(tangent), side * turned_left(change)};
   }
 
   // Whether a vertex lies on the line or circle of the arc of a front: the disks through it then are half-planes, or have the curvature of the circle.
@@ -294,7 +296,7 @@ public:
       const auto& [from, to] = front.exact_normals;
       return {Exact_rational(from[0] + u * (to[0] - from[0])), Exact_rational(from[1] + u * (to[1] - from[1]))};
     }
-    const Exact_pair tangent = m_arcs[front.object].derivative_at(u);
+    const Exact_pair tangent = m_arcs[front.object].tangent_at(u);
     return front.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
   }
 
