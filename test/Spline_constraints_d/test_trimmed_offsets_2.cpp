@@ -286,7 +286,7 @@ TEST(TrimmedOffsets, CoincidentControlPoints)
   int asked = 0;
   std::mt19937 random(5);
   std::uniform_real_distribution<double> coordinate(0, 6);
-  for (const Curve& rounded : {bezier({a, a, b, c}), bezier({c, b, a, a}), bezier({a, b, c, c}), bezier({a, a, P(6, 1), P(6, 3)}), bezier({a, a, c, c})}) {
+  for (const Curve& rounded : {bezier({a, a, b, c}), bezier({c, b, a, a}), bezier({a, b, c, c}), bezier({a, a, P(6, 1), P(6, 3)}), bezier({a, a, c, c}), SC::bezier_curve<K>({a, a, b, c}, {1, 2, 1, 3})}) {
     Curves curves{rounded};
     const P end = rounded(0) == a ? rounded(1) : rounded(0);
     const std::vector<P> corners{end, P(6, 6), P(0, 6), P(0, 0), a};

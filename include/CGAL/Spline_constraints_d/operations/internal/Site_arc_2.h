@@ -142,7 +142,7 @@ class Site_arc_2
   Homogeneous_piece m_piece;
   std::array<Polynomial_jet, 3> m_coordinates;
   std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
-  std::array<int, 2> m_zeros{};                                    // of the derivative in both ends, where these are exact and the piece is polynomial
+  std::array<int, 2> m_zeros{};                                    // of the derivative in both ends, where these are exact
   std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;       // the derivative without these zeros, where there are any
   std::array<Polynomial_jet, 2> m_tangent_jet;
   bool m_is_polynomial = true;
@@ -168,7 +168,7 @@ public:
         const Bernstein_tensor<Exact_rational> way = k == 2 ? m_piece.coordinates[k] : m_piece.coordinates[k] - m_piece.coordinates[2] * (end ? b : a)[k];
         m_from_ends[end][k] = Polynomial_jet(end ? reversed(way) : way, error, 0);
       }
-    if (m_is_polynomial && sign_of(error) == 0)
+    if (sign_of(error) == 0)
       divide_derivative();
     m_is_straight = a != b && contains_zero_of([&](const Exact_pair& p) { return exact_cross(Exact_pair{b[0] - a[0], b[1] - a[1]}, Exact_pair{p[0] - a[0], p[1] - a[1]}); });
     m_is_segment = m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
@@ -225,7 +225,7 @@ public:
   }
 
   /*
-  In drawings, the first two control points of a cubic often coincide, or the last two. There the derivative is zero, but the curve has a tangent: X' = t^i (1-t)^j D, where D is not zero in the ends. For other arcs D = X'.
+  In drawings, the first two control points of a cubic often coincide, or the last two. There the derivative is zero, but the curve has a tangent: X' = t^i (1-t)^j D / w^2 with the weight w, where D is not zero in the ends. For other arcs D = X'.
   */
   bool has_singular_end() const { return m_zeros[0] + m_zeros[1] > 0; }
 
@@ -249,10 +249,10 @@ public:
     return {Interval_pair{x(0, range), y(0, range)}, Interval_pair{x(1, range), y(1, range)}};
   }
 
-  // t^i (1-t)^j, with which X' = t^i (1-t)^j D.
+  // t^i (1-t)^j / w^2, with which X' is this times D, of an arc with such an end.
   Interval tangent_factor(const Range& range) const
   {
-    Interval result(1);
+    Interval result = m_is_polynomial ? Interval(1) : Interval(1) / CGAL::square(m_coordinates[2](0, range));
     for (int i = 0; i < m_zeros[0]; ++i)
       result *= range.interval();
     for (int j = 0; j < m_zeros[1]; ++j)
@@ -320,12 +320,17 @@ private:
     return {tensor.degrees(), std::move(coefficients)};
   }
 
-  // With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).
+  // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).
   void divide_derivative()
   {
-    if (m_piece.coordinates[0].degree(0) != m_piece.coordinates[1].degree(0))
+    const auto is_zero = [](const Exact_pair& d) { return sign_of(d[0]) == 0 && sign_of(d[1]) == 0; };
+    if (!is_zero(direction_at(0)) && !is_zero(direction_at(1)))
       return;
-    std::array<std::vector<Exact_rational>, 2> b{m_piece.coordinates[0].derivative(0).coefficients(), m_piece.coordinates[1].derivative(0).coefficients()};
+    const Bernstein_tensor<Exact_rational>& w = m_piece.coordinates[2];
+    const auto direction = [&](const Bernstein_tensor<Exact_rational>& c) { return m_is_polynomial ? c.derivative(0) : c.derivative(0) * w - c * w.derivative(0); };
+    const Bernstein_tensor<Exact_rational> x = direction(m_piece.coordinates[0]), y = direction(m_piece.coordinates[1]);
+    const std::vector<int> degree{(std::max)(x.degree(0), y.degree(0))};
+    std::array<std::vector<Exact_rational>, 2> b{x.elevated(degree).coefficients(), y.elevated(degree).coefficients()};
     for (const std::size_t end : {0, 1})
       for (; b[0].size() > 1 && sign_of(end == 0 ? b[0].front() : b[0].back()) == 0 && sign_of(end == 0 ? b[1].front() : b[1].back()) == 0; ++m_zeros[end])
         for (std::vector<Exact_rational>& c : b) {
