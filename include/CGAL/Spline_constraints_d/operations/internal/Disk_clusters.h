@@ -126,6 +126,10 @@ private:
       return true;
     }
     const bool is_concave = cluster.bounds.dvv.sup() < 0;
+    if (is_concave && rises_to_others(cluster)) {
+      cluster.is_too_low = true;
+      return true;
+    }
     if (is_concave) {
       bool are_ends_known = true;
       for (const bool end : {false, true})
@@ -139,6 +143,15 @@ private:
         return true;
     }
     return has_known_slopes(cluster) || is_concave;
+  }
+
+  // Whether one of several parts of an arc where the curvature is concave is lower than what is beyond one of its ends.
+  bool rises_to_others(const Cluster& cluster) const
+  {
+    if (std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) < 2)
+      return false;
+    const auto slope_at = [&](double v) { return certain_sign(at(m_part, cluster.arc, {v, v}).dv); };
+    return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) || (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
   }
 
   // The end of a segment that is nearest to the vertex of a fan, if that is on its line: disks through the segment are the smaller, the nearer to the vertex they pass through it.

@@ -83,17 +83,28 @@ public:
   // The branches, but for those that are below another one throughout the part.
   std::vector<Disk_branch> highest() const
   {
+    if (m_branches.size() < 2)
+      return m_branches;
+    const Interval shift = shift_from_middle();
     std::vector<Disk_branch> result;
+    std::vector<std::pair<Disk_branch, Curvature_expansion>> still;   // those that do not move
     for (const Disk_branch& branch : m_branches) {
+      if (branch.move) {
+        result.push_back(branch);
+        continue;
+      }
+      const Curvature_expansion curvature = expansion(branch);
       bool is_below = false;
-      for (auto other = result.begin(); other != result.end() && !is_below;) {
-        const int order = order_throughout(branch, *other);
+      for (auto other = still.begin(); other != still.end() && !is_below;) {
+        const int order = certain_sign((curvature - other->second).value(shift));
         is_below = order < 0;
-        other = order > 0 ? result.erase(other) : other + 1;
+        other = order > 0 ? still.erase(other) : other + 1;
       }
       if (!is_below)
-        result.push_back(branch);
+        still.emplace_back(branch, curvature);
     }
+    for (const auto& [branch, curvature] : still)
+      result.push_back(branch);
     return result;
   }
 
@@ -168,7 +179,11 @@ public:
     return std::pair(branches[before], branches[after]);
   }
 
-  bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const { return certain_sign(slope(a) - slope(b)) != 0; }
+  // By the first derivatives, and where these are nearly the same, as for points next to each other, by the second ones.
+  bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const
+  {
+    return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && certain_sign((expansion(a) - expansion(b)).derivative(shift_from_middle())) != 0);
+  }
 
 private:
   Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
@@ -316,8 +331,10 @@ private:
   {
     const std::size_t vertex = m_graph.vertex_of(end);
     for (const Arc_end& other : m_graph.vertices()[vertex].ends) {
-      const Cluster* cluster = m_curvature.is_arc_scaled(other.arc) == m_curvature.is_arc_scaled(end.arc) ? m_clusters.cluster_at(other) : nullptr;
-      if (cluster != nullptr && cluster->ends[other.is_end] != End_state::MAXIMUM)
+      if (m_curvature.is_arc_scaled(other.arc) != m_curvature.is_arc_scaled(end.arc))
+        continue;
+      const Cluster* cluster = m_clusters.cluster_at(other);
+      if (cluster != nullptr ? cluster->ends[other.is_end] != End_state::MAXIMUM : certain_sign(at(m_part, other).dv) * (other.is_end ? -1 : 1) > 0)
         return;   // the maximum is in the other arc, or it has the vertex as a possible move
     }
     if (const auto continuation = m_curvature.continuation(m_part, end); continuation && m_clusters.cluster_at(*continuation) == nullptr)
@@ -402,15 +419,9 @@ private:
     return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
 
-  // The order of two branches if it is the same for all of the part, or 0.
-  int order_throughout(const Disk_branch& a, const Disk_branch& b) const
-  {
-    if (a.move || b.move)
-      return 0;
-    const double u = m_part.range.middle();
-    const Front_part middle = m_curvature.part(m_part.front, {u, u});
-    return certain_sign(maximum(middle, a) - maximum(middle, b) + (slope(a) - slope(b)) * (m_part.range.interval() - Interval(u)));
-  }
+  Interval shift_from_middle() const { return m_part.range.interval() - Interval(m_part.range.middle()); }
+
+  Curvature_expansion expansion(const Located_contact& contact) const { return curvature_expansion(m_graph, m_curvature, m_part, contact); }
 };
 
 } // namespace internal

@@ -97,6 +97,20 @@ public:
     return result;
   }
 
+  // The second derivative by the parameter of the front, for points in a box that is not scaled, where the curvature and its first derivative are enclosed.
+  Interval second_derivative(const Front_part& part, const Interval_pair& box, const Curvature_bounds& k) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const auto& [x, xu, n, nu] = part.jet;
+    Curve_jet jet{};   // of a fan all derivatives are zero, and its normal is linear
+    if (!front.is_fan)
+      jet = m_graph.arcs()[front.object].jet(part.range, 3);
+    const Interval two(2), side(front.is_reversed ? -1 : 1);
+    const Interval_pair d = box - x;
+    const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, jet[2])), fuu = two * (side * dot(turned_left(jet[3]), d) - dot(nu, xu));
+    return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number();
+  }
+
   // The disks that pass through points of a box. Those of half-planes do not matter.
   Interval through_box(const Front_part& part, const Interval_pair& box) const
   {

@@ -87,8 +87,8 @@ Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
     const Curvature_bounds k = at(around), here = at({v, v});
     const Interval step = around.interval() - Interval(v);
     Interval greatest = common_part(k.value, here.value + k.dv * step);
-    if (k.dvv.sup() < 0)   // a concave function is below its tangents
-      greatest = common_part(greatest, here.value + hull(Interval(0), here.dv * step));
+    if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative
+      greatest = common_part(greatest, here.value + common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
     return {greatest, around};
   }
   return {any_number(), {v, v}};
@@ -151,6 +151,57 @@ inline Interval slope_of_largest_curvature(const Site_graph_2& graph, const Disk
   case Disk_contact::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
   default: return Interval(0);
   }
+}
+
+// The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv; k_uu where the largest one may be at an end of the range.
+inline Interval second_derivative_of_largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  const std::size_t index = located.contact.index;
+  if (located.contact.kind == Disk_contact::Kind::NOTHING)
+    return Interval(0);
+  if (located.contact.kind == Disk_contact::Kind::VERTEX && !curvature.is_vertex_scaled(index))
+    return curvature.second_derivative(part, graph.vertices()[index].point, curvature(part, index));
+  if (located.contact.kind != Disk_contact::Kind::ARC || curvature.is_arc_scaled(index))
+    return any_number();
+  const Curve_jet jet = graph.arcs()[index].jet(located.range);
+  const Curvature_bounds k = curvature(part, index, located.range, jet);
+  if (!(k.dvv.sup() < 0))
+    return any_number();
+  const auto slope_at = [&](double v) { return curvature(part, index, {v, v}, graph.arcs()[index].jet({v, v})).dv; };
+  const bool is_inside = slope_at(located.range.begin).inf() > 0 && slope_at(located.range.end).sup() < 0;
+  const Interval by_contact = CGAL::square(k.duv) / -k.dvv;
+  if (!(by_contact.inf() >= 0 && std::isfinite(by_contact.sup())))
+    return any_number();
+  return curvature.second_derivative(part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));
+}
+
+// The curvature of the disk that touches a contact, and its derivative, in the middle of a part; and its derivatives over the part.
+struct Curvature_expansion
+{
+  Interval at_middle = any_number(), slope_at_middle = any_number(), slope = any_number(), second_derivative = any_number();
+
+  Curvature_expansion operator-(const Curvature_expansion& other) const { return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope, second_derivative - other.second_derivative}; }
+
+  // Over the part, where the parameter is shifted from the middle.
+  Interval value(const Interval& shift) const { return common_part(at_middle + slope * shift, at_middle + slope_at_middle * shift + second_derivative * CGAL::square(shift) / Interval(2)); }
+  Interval derivative(const Interval& shift) const { return common_part(slope, slope_at_middle + second_derivative * shift); }
+};
+
+inline Curvature_expansion curvature_expansion(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+{
+  const double u = part.range.middle();
+  const Front_part middle = curvature.part(part.front, {u, u});
+  const Attained_curvature greatest = largest_curvature(graph, curvature, middle, located);
+  Curvature_expansion result;
+  result.slope = slope_of_largest_curvature(graph, curvature, part, located);
+  if (!std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
+    return result;
+  Located_contact here = located;
+  here.range = greatest.range;
+  result.at_middle = greatest.curvature;
+  result.slope_at_middle = slope_of_largest_curvature(graph, curvature, middle, here);
+  result.second_derivative = second_derivative_of_largest_curvature(graph, curvature, part, located);
+  return result;
 }
 
 // The only zero of a function in a range at whose ends it has different signs: bisection while signs are certain.

@@ -116,19 +116,31 @@ private:
     return result;
   }
 
+  // A number, and its distance from the nearer one of 0 and 1: what lies between two others is computed from the nearer of these, with less rounding.
+  struct Ratio
+  {
+    Interval distance;
+    bool is_nearer_to_one;
+
+    explicit Ratio(const Interval& t) : distance(t.inf() > 0.5 ? Interval(1) - t : t), is_nearer_to_one(t.inf() > 0.5) {}
+
+    Interval between(const Interval& a, const Interval& b) const { return is_nearer_to_one ? b + distance * (a - b) : a + distance * (b - a); }
+  };
+
   static Interval bounds(Interval* b, std::size_t size, const Range& range)
   {
     const Interval t(range.begin);
+    const Ratio begin(t);
     for (std::size_t r = 1; r < size; ++r)
       for (std::size_t k = 0; k + r < size; ++k)
-        b[k] += t * (b[k + 1] - b[k]);
+        b[k] = begin.between(b[k], b[k + 1]);
     if (range.is_number())
       return b[0];
     if (range.end != 1 || range.begin != 0) {   // the part after the begin, cut at the end
-      const Interval s = range.begin == 1 ? Interval(0) : (Interval(range.end) - t) / (Interval(1) - t);
+      const Ratio end(range.begin == 1 ? Interval(0) : (Interval(range.end) - t) / (Interval(1) - t));
       for (std::size_t r = 1; r < size; ++r)
         for (std::size_t k = size - 1; k >= r; --k)
-          b[k] = b[k - 1] + s * (b[k] - b[k - 1]);
+          b[k] = end.between(b[k - 1], b[k]);
     }
     return std::accumulate(b + 1, b + size, b[0], [](const Interval& x, const Interval& y) { return hull(x, y); });
   }
