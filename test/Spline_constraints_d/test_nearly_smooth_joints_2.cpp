@@ -57,6 +57,17 @@ TEST(NearlySmoothJoints, DiagramsAreComplete)
   }
 }
 
+// A rounded drop: three quarters of a circle as cubics, one of them with a larger error, whose disks nearly touch everything in the middle, and a kink that is not small.
+TEST(NearlySmoothJoints, RoundedDrop)
+{
+  const Curves curves{bezier({P(500, 0), P(500, 275), P(276, 502), P(0, 500)}), bezier({P(0, 500), P(-500, 500)}), bezier({P(-500, 500), P(-500, 0)}),
+                      bezier({P(-500, 0), P(-500, -277), P(-276, -500), P(0, -500)}), bezier({P(0, -500), P(277, -500), P(500, -276), P(500, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.edges().size(), 13U);
+  expect_euler(diagram);
+}
+
 // Where two pieces meet at an angle of less than 180 degrees, an edge begins in the corner: with a radius of zero, perpendicular to the curve.
 TEST(NearlySmoothJoints, EdgesBeginInCorners)
 {
