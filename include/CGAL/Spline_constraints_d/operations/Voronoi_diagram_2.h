@@ -221,7 +221,7 @@ private:
     std::vector<std::size_t> edge_of(halfedges.size(), internal::Disk_diagram::none);
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
       const std::size_t twin = halfedges[i].twin;
-      if (twin == internal::Disk_diagram::none || halfedges[twin].twin != i || twin < i)
+      if (twin == internal::Disk_diagram::none || twin < i)
         continue;
       edge_of[i] = edge_of[twin] = m_edges.size();
       m_halfedge_of_edge.push_back(i);

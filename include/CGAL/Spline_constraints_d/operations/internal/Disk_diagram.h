@@ -295,8 +295,10 @@ private:
       if (!is_at_infinity(m_halfedges[i]))
         m_halfedges[i].twin = twin_of(m_halfedges[i]);
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (const std::size_t twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i))
+      if (std::size_t& twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i)) {
+        twin = none;   // so that no walk around a vertex goes into a cycle that it did not begin in
         ++m_unmatched;
+      }
   }
 
   std::size_t twin_of(const Halfedge& h) const
