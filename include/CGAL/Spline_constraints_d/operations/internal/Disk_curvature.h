@@ -102,6 +102,8 @@ public:
   {
     const Front& front = m_graph.fronts()[part.front];
     const auto& [x, xu, n, nu] = part.jet;
+    if (!front.is_fan && m_graph.arcs()[front.object].has_singular_end())
+      return any_number();   // its normals are not those of the derivative
     Curve_jet jet{};   // of a fan all derivatives are zero, and its normal is linear
     if (!front.is_fan)
       jet = m_graph.arcs()[front.object].jet(part.range, 3);
