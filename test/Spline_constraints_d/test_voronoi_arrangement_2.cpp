@@ -6,12 +6,15 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
+#include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -19,9 +22,10 @@ namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using P = K::Point_2;
 using Curves = std::vector<SC::Bspline_curve_2<K>>;
+using Voronoi_arrangement = SC::Voronoi_arrangement_2<K>;
 
 // The numbers of vertices with one edge, and with three or more.
-std::pair<std::size_t, std::size_t> ends_and_branches(const SC::Polyline_arrangement_2& arrangement)
+std::pair<std::size_t, std::size_t> ends_and_branches(const Voronoi_arrangement::Arrangement& arrangement)
 {
   std::pair<std::size_t, std::size_t> result;
   for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
@@ -79,9 +83,95 @@ TEST(VoronoiArrangement, CurvesThatCross)
   expect_one_crossing({SC::bezier_curve(std::vector<P>{P(0, 0), P(6, 4), P(-2, 4.2), P(4.1, 0.3)})});
 }
 
+// The regions of a face that point location finds.
+std::vector<std::size_t> regions_at(const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::Arrangement>& location, const P& p)
+{
+  const auto found = location.locate({p.x(), p.y()});
+  const auto* face = boost::get<Voronoi_arrangement::Arrangement::Face_const_handle>(&found);
+  return face ? (*face)->data() : std::vector<std::size_t>();
+}
+
+// The disk around the only vertex, (2, 1), touches all three points: they are contacts, each in the angle between two edges. In a box the cells are faces, and point location finds the nearest point.
+TEST(VoronoiArrangement, NearestPointByPointLocation)
+{
+  const std::vector<P> points{P(0, 0), P(4, 0), P(0, 2)};
+  const auto diagram = SC::voronoi_diagram(Curves(), points);
+  const auto result = SC::to_arrangement(diagram, 0.01, CGAL::Bbox_2(-2, -3, 7, 5));
+  EXPECT_TRUE(result.has_same_topology);
+  EXPECT_EQ(result.arrangement.number_of_faces(), 4U);
+  EXPECT_EQ(result.arrangement.unbounded_face()->data().size(), 0U);
+  std::size_t vertices = 0;
+  for (auto v = result.arrangement.vertices_begin(); v != result.arrangement.vertices_end(); ++v)
+    if (v->data()) {
+      ++vertices;
+      const auto& vertex = diagram.vertices()[*v->data()];
+      EXPECT_TRUE(vertex.is_resolved);
+      ASSERT_EQ(vertex.contacts.size(), 3U);
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(std::isnan(vertex.contacts[i].parameter));
+        for (const std::size_t edge : {vertex.edges[i], vertex.edges[(i + 1) % 3]}) {
+          const auto& sites = diagram.edges()[edge].sites;
+          EXPECT_TRUE(vertex.contacts[i].site == sites[0] || vertex.contacts[i].site == sites[1]);
+        }
+      }
+    }
+  EXPECT_EQ(vertices, 1U);
+  const CGAL::Arr_walk_along_line_point_location<Voronoi_arrangement::Arrangement> location(result.arrangement);
+  std::set<std::size_t> nearest;
+  for (double x = -1.8; x < 7; x += 0.3)
+    for (double y = -2.9; y < 5; y += 0.3) {
+      const P p(x, y);
+      const auto regions = regions_at(location, p);
+      ASSERT_EQ(regions.size(), 1U) << p;
+      const auto closest = std::min_element(points.begin(), points.end(), [&](const P& a, const P& b) { return CGAL::has_smaller_distance_to_point(p, a, b); });
+      EXPECT_EQ(diagram.sites()[regions.front()].point, *closest) << p;   // each point is a region
+      nearest.insert(regions.front());
+    }
+  EXPECT_EQ(nearest.size(), 3U);
+  EXPECT_EQ(SC::to_arrangement(diagram, 0.01, CGAL::Bbox_2(10, -1, 11, 0)).arrangement.number_of_faces(), 2U);   // in one cell, and without edges
+}
+
+// On the left of each halfedge there is the site that it knows, and the disk of each vertex touches its contacts.
+TEST(VoronoiArrangement, RecordsKnowTheirSites)
+{
+  const Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
+  const auto diagram = SC::voronoi_diagram(curves, {P(5, 1)});
+  ASSERT_TRUE(diagram.is_complete());
+  for (const auto& vertex : diagram.vertices()) {
+    EXPECT_EQ(vertex.contacts.size(), vertex.edges.size());
+    for (const auto& contact : vertex.contacts)
+      if (!vertex.is_at_infinity) {
+        const auto& site = diagram.sites()[contact.site];
+        const P touched = site.is_point ? site.point : curves[site.curve](contact.parameter);
+        EXPECT_NEAR(std::sqrt(CGAL::squared_distance(vertex.point, touched)), vertex.radius, 1e-9);
+      }
+  }
+  const auto result = SC::to_arrangement(diagram, 1e-4, CGAL::Bbox_2(-5, -6, 9, 9));
+  EXPECT_TRUE(result.has_same_topology);
+  EXPECT_EQ(result.arrangement.number_of_faces(), 4U);
+  std::size_t checked = 0;
+  for (auto h = result.arrangement.halfedges_begin(); h != result.arrangement.halfedges_end(); ++h)
+    if (h->data()) {
+      const auto p = CGAL::midpoint(h->source()->point(), h->target()->point());
+      const auto d = h->target()->point() - h->source()->point();
+      const double length = std::sqrt(CGAL::to_double(d.squared_length()));
+      if (length < 0.01)
+        continue;
+      const double step = 1e-3 / length;   // to the left, farther than the chord is from the edge
+      const P left(CGAL::to_double(p.x() - step * d.y()), CGAL::to_double(p.y() + step * d.x()));
+      const auto nearest = diagram.nearest_sites(left);
+      checked += nearest.size() == 1;
+      EXPECT_EQ(diagram.sites()[nearest.front()].region, diagram.sites()[*h->data()].region);
+      EXPECT_EQ(h->face()->data(), std::vector<std::size_t>{diagram.sites()[*h->data()].region});
+    }
+  EXPECT_GT(checked, 100U);
+}
+
 TEST(VoronoiArrangement, BadInput)
 {
   const auto diagram = SC::voronoi_diagram(Curves(), {P(0, 0), P(4, 0)});
+  EXPECT_THROW(SC::to_arrangement(diagram, 0.1, CGAL::Bbox_2(0, 0, 0, 1)), SC::Invalid_input);
+  EXPECT_THROW(SC::to_arrangement(SC::voronoi_diagram(Curves()), 0.1, CGAL::Bbox_2(0, 0, 1, 1)), SC::Invalid_input);
   EXPECT_THROW(SC::to_arrangement(diagram, 0, 10), SC::Invalid_input);
   EXPECT_THROW(SC::to_arrangement(diagram, 0.1, std::numeric_limits<double>::infinity()), SC::Invalid_input);
 }

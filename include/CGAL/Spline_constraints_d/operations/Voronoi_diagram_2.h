@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +34,7 @@ struct Voronoi_site_2
   typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
   std::size_t curve;                         ///< the index of the curve; of a point, that of a curve that ends there, or the largest number
   std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve
+  std::size_t region;                        ///< the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to that
 };
 
 /*!
@@ -79,12 +81,20 @@ public:
   using Site = Voronoi_site_2<Kernel>;
   using Sample = Voronoi_sample_2<Kernel>;
 
+  //! where the disk of a vertex touches a site.
+  struct Contact
+  {
+    std::size_t site;                   ///< the site
+    double parameter;                   ///< of the curve; of a point, no number
+  };
+
   //! a vertex.
   struct Vertex
   {
     Point point;                        ///< where it is, rounded; if it is at infinity, no point
     double radius;                      ///< the distance from the sites
     std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
+    std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
   };
@@ -107,6 +117,7 @@ private:
   std::vector<Vertex> m_vertices;
   std::vector<Edge> m_edges;
   std::vector<std::size_t> m_halfedge_of_edge;
+  std::size_t m_number_of_regions = 0;
 
 public:
 #ifndef DOXYGEN_RUNNING
@@ -141,7 +152,7 @@ public:
   const std::vector<Edge>& edges() const { return m_edges; }
 
   //! the number of regions that the edges cut the plane into: one for each connected set of curves and points.
-  std::size_t number_of_regions() const { return m_graph->number_of_components(); }
+  std::size_t number_of_regions() const { return m_number_of_regions; }
 
   //! whether all of the diagram is proved.
   bool is_complete() const { return m_diagram->is_complete(); }
@@ -194,12 +205,16 @@ private:
 
   void make_sites()
   {
+    const std::vector<std::size_t> regions = m_graph->components_of_vertices();
     for (std::size_t i = 0; i < m_graph->arcs().size(); ++i) {
       const auto& [begin, end] = m_graph->arcs()[i].piece().domain;
-      m_sites.push_back({false, internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)), m_graph->curve_of_arc(i), {to_nearest_double(begin), to_nearest_double(end)}});
+      m_sites.push_back({false, internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)), m_graph->curve_of_arc(i), {to_nearest_double(begin), to_nearest_double(end)}, regions[m_graph->vertex_of({i, false})]});
     }
-    for (const auto& vertex : m_graph->vertices())
-      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), vertex.ends.empty() ? internal::Disk_diagram::none : m_graph->curve_of_arc(vertex.ends.front().arc), {}});
+    for (std::size_t v = 0; v < regions.size(); ++v) {
+      const auto& vertex = m_graph->vertices()[v];
+      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), vertex.ends.empty() ? internal::Disk_diagram::none : m_graph->curve_of_arc(vertex.ends.front().arc), {}, regions[v]});
+    }
+    m_number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
   }
 
   void make_vertices()
@@ -207,11 +222,11 @@ private:
     for (const auto& vertex : m_diagram->vertices()) {
       const internal::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
       const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : sample(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
-      m_vertices.push_back({at.point, at.radius, {}, vertex.is_at_infinity, vertex.is_resolved});
+      m_vertices.push_back({at.point, at.radius, {}, {}, vertex.is_at_infinity, vertex.is_resolved});
     }
     for (const internal::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = sample(part, m_diagram->end_parameter(part, false));
-      m_vertices.push_back({at.point, at.radius, {}, false, true});
+      m_vertices.push_back({at.point, at.radius, {}, {{site_of(m_diagram->front(part)), at.parameters[0]}}, false, true});
     }
   }
 
@@ -233,8 +248,11 @@ private:
     }
     for (std::size_t v = 0; v < m_diagram->vertices().size(); ++v)
       for (const std::size_t h : m_diagram->vertices()[v].outgoing)
-        if (edge_of[h] != internal::Disk_diagram::none)
+        if (edge_of[h] != internal::Disk_diagram::none) {
+          const std::size_t site = site_of(m_diagram->front(halfedges[h]));
           m_vertices[v].edges.push_back(edge_of[h]);
+          m_vertices[v].contacts.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false))});
+        }
   }
 
   double end_parameter(const internal::Disk_diagram::Halfedge& h, bool end) const { return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end); }

@@ -35,9 +35,50 @@ struct Chord_label
   bool operator==(const Chord_label&) const = default;
 };
 
+namespace internal {
+
+using Chord_segment_traits_2 = CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
+using Chord_traits_2 = CGAL::Arr_consolidated_curve_data_traits_2<Chord_segment_traits_2, Chord_label>;
+
+} // namespace internal
+
 //! \ingroup PkgSplineConstraintsDOperations
 //! an exact arrangement of chords; `edge->curve().data()` lists the labels of an edge, several where chords overlap.
-using Polyline_arrangement_2 = CGAL::Arrangement_2<CGAL::Arr_consolidated_curve_data_traits_2<CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>, Chord_label>>;
+using Polyline_arrangement_2 = CGAL::Arrangement_2<internal::Chord_traits_2>;
+
+namespace internal {
+
+template <class Arrangement, class Point>
+Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polylines)
+{
+  using Vertex = Chord_traits_2::Point_2;
+  std::vector<Chord_traits_2::Curve_2> chords;
+  std::vector<Vertex> single;
+  for (std::size_t c = 0; c < polylines.size(); ++c) {
+    std::vector<Vertex> points;
+    for (const Point& p : polylines[c]) {
+      const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+      if (!std::isfinite(x) || !std::isfinite(y))
+        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not finite");
+      points.emplace_back(x, y);
+    }
+    bool is_single = true;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      if (points[i] != points[i + 1]) {
+        chords.emplace_back(Chord_segment_traits_2::Curve_2(points[i], points[i + 1]), Chord_label{c, i});
+        is_single = false;
+      }
+    if (is_single && !points.empty())
+      single.push_back(points.front());
+  }
+  Arrangement result;
+  CGAL::insert(result, chords.begin(), chords.end());
+  for (const Vertex& point : single)
+    CGAL::insert_point(result, point);
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSplineConstraintsDOperations
@@ -55,32 +96,7 @@ Complexity: that of a sweep, \f$O((n+k) \log n)\f$ for \f$n\f$ chords with \f$k\
 template <class Point>
 Polyline_arrangement_2 to_arrangement(const std::vector<std::vector<Point>>& polylines)
 {
-  using Vertex = Polyline_arrangement_2::Point_2;
-  using Traits = Polyline_arrangement_2::Geometry_traits_2;
-  std::vector<Traits::Curve_2> chords;
-  std::vector<Vertex> single;
-  for (std::size_t c = 0; c < polylines.size(); ++c) {
-    std::vector<Vertex> points;
-    for (const Point& p : polylines[c]) {
-      const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-      if (!std::isfinite(x) || !std::isfinite(y))
-        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not finite");
-      points.emplace_back(x, y);
-    }
-    bool is_single = true;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      if (points[i] != points[i + 1]) {
-        chords.emplace_back(CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>::Curve_2(points[i], points[i + 1]), Chord_label{c, i});
-        is_single = false;
-      }
-    if (is_single && !points.empty())
-      single.push_back(points.front());
-  }
-  Polyline_arrangement_2 result;
-  CGAL::insert(result, chords.begin(), chords.end());
-  for (const Vertex& point : single)
-    CGAL::insert_point(result, point);
-  return result;
+  return internal::polyline_arrangement<Polyline_arrangement_2>(polylines);
 }
 
 /*!
@@ -103,8 +119,8 @@ struct Solution_arrangement_2
 namespace internal {
 
 // Whether chords meet in common end points only: then the sweep has made no other vertices, and has split no chord.
-template <class Point>
-bool is_crossing_free(const Polyline_arrangement_2& arrangement, const std::vector<std::vector<Point>>& polylines)
+template <class Arrangement, class Point>
+bool is_crossing_free(const Arrangement& arrangement, const std::vector<std::vector<Point>>& polylines)
 {
   std::set<Point> points;
   std::size_t chords = 0;

@@ -8,9 +8,16 @@
 #include <CGAL/Spline_constraints_d/operations/Voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
 
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,13 +27,21 @@ namespace Spline_constraints {
 /*!
 \ingroup PkgSplineConstraintsDOperations
 
-The edges of a Voronoi diagram or a medial axis as an arrangement of chords.
+The edges of a Voronoi diagram or a medial axis as an arrangement of chords, for point location, overlays and all else that CGAL does with arrangements.
 */
 template <SplineKernel Kernel>
 struct Voronoi_arrangement_2
 {
-  //! the arrangement. Labels are indices of edges of the diagram, and of chords of the polylines.
-  Polyline_arrangement_2 arrangement;
+  /*!
+  an exact arrangement of chords; `edge->curve().data()` lists their labels. What its records know:
+  - `vertex->data()`, the vertex of the diagram that is there, the first one if there are several, as in a crossing; nothing where chords of one edge meet;
+  - `halfedge->data()`, the site that is nearest on its left; nothing on the sides of a box;
+  - `face->data()`, in increasing order the regions of the sites along its edges, see `Voronoi_site_2::region`: one, if the diagram is complete and not cut there.
+  */
+  using Arrangement = CGAL::Arrangement_2<internal::Chord_traits_2, CGAL::Arr_extended_dcel<internal::Chord_traits_2, std::optional<std::size_t>, std::optional<std::size_t>, std::vector<std::size_t>>>;
+
+  //! the arrangement. Labels are indices of edges of the diagram, and of chords of the polylines; of the sides of a box, the number of edges, and 0 to 3.
+  Arrangement arrangement;
 
   //! the samples of each edge that the chords join: with the parameters of both sites, and the radius.
   std::vector<std::vector<Voronoi_sample_2<Kernel>>> polylines;
@@ -60,8 +75,8 @@ inline bool has_order_of_edges(std::vector<End_chord> chords, const std::vector<
   return edges.empty();
 }
 
-template <class Diagram, class Point>
-bool has_topology_of(const Diagram& diagram, const Polyline_arrangement_2& arrangement, const std::vector<std::vector<Point>>& polylines, double most_radius)
+template <class Diagram, class Arrangement, class Point>
+bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement, const std::vector<std::vector<Point>>& polylines, double most_radius)
 {
   if (!is_crossing_free(arrangement, polylines))
     return false;
@@ -76,6 +91,97 @@ bool has_topology_of(const Diagram& diagram, const Polyline_arrangement_2& arran
     if (const auto& vertex = diagram.vertices()[v]; vertex.radius <= most_radius && !has_order_of_edges(chords[v], vertex.edges))
       return false;
   return true;
+}
+
+// The arrangement with errors that are halved until it has the topology of the diagram, up to eight times.
+template <SplineKernel Kernel>
+Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
+{
+  constexpr int most_refinements = 8;
+  using Arrangement = typename Voronoi_arrangement_2<Kernel>::Arrangement;
+  Voronoi_arrangement_2<Kernel> result{{}, {}, false};
+  for (int i = 0; i <= most_refinements && !result.has_same_topology; ++i, error /= 2) {
+    std::vector<std::vector<typename Arrangement::Point_2>> polylines;
+    result.polylines.clear();
+    for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
+      auto samples = diagram.polyline(e, error, most_radius);
+      const auto& [first, last] = diagram.edges()[e].vertices;
+      const auto is_kept = [&](std::size_t v) { return !samples.empty() && !diagram.vertices()[v].is_at_infinity && diagram.vertices()[v].radius <= most_radius; };
+      if (is_kept(first))
+        samples.front().point = diagram.vertices()[first].point;
+      if (is_kept(last))
+        samples.back().point = diagram.vertices()[last].point;
+      auto& polyline = polylines.emplace_back();
+      for (const auto& sample : samples)
+        polyline.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()));
+      result.polylines.push_back(std::move(samples));
+    }
+    result.arrangement = polyline_arrangement<Arrangement>(polylines);
+    result.has_same_topology = has_topology_of(diagram, result.arrangement, polylines, most_radius);
+  }
+  return result;
+}
+
+// Adds the sides of a box, and removes what is outside.
+template <class Arrangement>
+void cut_at(const CGAL::Bbox_2& box, std::size_t label, Arrangement& arrangement)
+{
+  const std::array<Chord_traits_2::Point_2, 4> corners{{{box.xmin(), box.ymin()}, {box.xmax(), box.ymin()}, {box.xmax(), box.ymax()}, {box.xmin(), box.ymax()}}};
+  std::vector<Chord_traits_2::Curve_2> sides;
+  for (std::size_t i = 0; i < 4; ++i)
+    sides.emplace_back(Chord_segment_traits_2::Curve_2(corners[i], corners[(i + 1) % 4]), Chord_label{label, i});
+  CGAL::insert(arrangement, sides.begin(), sides.end());
+  const auto is_outside = [&](const Chord_traits_2::Point_2& p) { return p.x() < box.xmin() || p.x() > box.xmax() || p.y() < box.ymin() || p.y() > box.ymax(); };
+  std::vector<typename Arrangement::Halfedge_handle> outer;
+  for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e)
+    if (is_outside(e->source()->point()) || is_outside(e->target()->point()))
+      outer.push_back(e);
+  for (const auto& e : outer)
+    arrangement.remove_edge(e);
+}
+
+template <SplineKernel Kernel>
+void label_vertices(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+{
+  std::map<Chord_traits_2::Point_2, std::size_t> vertex_at;
+  for (std::size_t v = 0; v < diagram.vertices().size(); ++v)
+    if (const auto& vertex = diagram.vertices()[v]; !vertex.is_at_infinity)
+      vertex_at.try_emplace({CGAL::to_double(vertex.point.x()), CGAL::to_double(vertex.point.y())}, v);
+  for (auto v = result.arrangement.vertices_begin(); v != result.arrangement.vertices_end(); ++v)
+    if (const auto found = vertex_at.find(v->point()); found != vertex_at.end())
+      v->set_data(found->second);
+}
+
+template <SplineKernel Kernel>
+void label_halfedges(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+{
+  for (auto h = result.arrangement.halfedges_begin(); h != result.arrangement.halfedges_end(); ++h)
+    for (const Chord_label& label : h->curve().data())
+      if (label.curve < diagram.edges().size()) {
+        const auto& [begin, end] = std::array{result.polylines[label.curve][label.chord].point, result.polylines[label.curve][label.chord + 1].point};
+        const bool is_along_edge = (h->direction() == CGAL::ARR_LEFT_TO_RIGHT) == (begin < end);
+        h->set_data(diagram.edges()[label.curve].sites[is_along_edge ? 1 : 0]);
+      }
+}
+
+template <SplineKernel Kernel>
+void label_faces(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+{
+  for (auto face = result.arrangement.faces_begin(); face != result.arrangement.faces_end(); ++face) {
+    std::set<std::size_t> regions;
+    const auto insert_regions = [&](auto begin, auto end) {
+      for (; begin != end; ++begin) {
+        auto h = *begin;
+        do
+          if (h->data())
+            regions.insert(diagram.sites()[*h->data()].region);
+        while (++h != *begin);
+      }
+    };
+    insert_regions(face->outer_ccbs_begin(), face->outer_ccbs_end());
+    insert_regions(face->inner_ccbs_begin(), face->inner_ccbs_end());
+    face->set_data({regions.begin(), regions.end()});
+  }
 }
 
 } // namespace internal
@@ -99,30 +205,44 @@ Complexity: that of a sweep, \f$O(n \log n)\f$ for \f$n\f$ chords, for each erro
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
 {
-  constexpr int most_refinements = 8;
   if (!(most_radius > 0 && std::isfinite(most_radius)))
     throw Invalid_input("to_arrangement: the radius must be positive and finite");
-  using Point = CGAL::Exact_predicates_exact_constructions_kernel::Point_2;
-  Voronoi_arrangement_2<Kernel> result{{}, {}, false};
-  for (int i = 0; i <= most_refinements && !result.has_same_topology; ++i, error /= 2) {
-    std::vector<std::vector<Point>> polylines;
-    result.polylines.clear();
-    for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
-      auto samples = diagram.polyline(e, error, most_radius);
-      const auto& [first, last] = diagram.edges()[e].vertices;
-      const auto is_kept = [&](std::size_t v) { return !samples.empty() && !diagram.vertices()[v].is_at_infinity && diagram.vertices()[v].radius <= most_radius; };
-      if (is_kept(first))
-        samples.front().point = diagram.vertices()[first].point;
-      if (is_kept(last))
-        samples.back().point = diagram.vertices()[last].point;
-      auto& polyline = polylines.emplace_back();
-      for (const auto& sample : samples)
-        polyline.emplace_back(CGAL::to_double(sample.point.x()), CGAL::to_double(sample.point.y()));
-      result.polylines.push_back(std::move(samples));
-    }
-    result.arrangement = to_arrangement(polylines);
-    result.has_same_topology = internal::has_topology_of(diagram, result.arrangement, polylines, most_radius);
-  }
+  auto result = internal::refined_arrangement(diagram, error, most_radius);
+  internal::label_vertices(diagram, result);
+  internal::label_halfedges(diagram, result);
+  internal::label_faces(diagram, result);
+  return result;
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+a Voronoi diagram or a medial axis in a box, as an arrangement of chords of its edges and the sides of the box.
+
+The regions are faces then, also those that go to infinity: point location tells which of the connected sets of curves and points is the nearest one, for points that are not between an edge and a chord. `Voronoi_diagram_2::nearest_sites()` tells it for all points, and which piece it is.
+
+\param diagram the diagram of one site or more.
+\param error a distance between edges and chords, see `Voronoi_diagram_2::polyline()`; positive.
+\param box what is outside is left out. It is not empty and finite; the sites may be outside.
+\throws Invalid_input when the error is not positive, the box has no inner points or is not finite, or there are no sites.
+
+Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box.
+*/
+template <SplineKernel Kernel>
+Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
+{
+  if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() && std::isfinite(box.xmax() - box.xmin()) && std::isfinite(box.ymax() - box.ymin())))
+    throw Invalid_input("to_arrangement: the box must be finite and have inner points");
+  if (diagram.sites().empty())
+    throw Invalid_input("to_arrangement: the diagram has no sites");
+  const auto& site = diagram.sites().front().point;
+  const CGAL::Bbox_2 both = box + site.bbox();
+  const double diameter = std::hypot(both.xmax() - both.xmin(), both.ymax() - both.ymin());   // no point of the box has a larger distance from that site
+  auto result = internal::refined_arrangement(diagram, error, 2 * diameter);
+  internal::cut_at(box, diagram.edges().size(), result.arrangement);
+  internal::label_vertices(diagram, result);
+  internal::label_halfedges(diagram, result);
+  internal::label_faces(diagram, result);
   return result;
 }
 

@@ -11,6 +11,8 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Front_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -233,22 +235,16 @@ public:
     return front.is_fan && !m_vertices[front.object].ends.empty() && nearly_smooth_continuation(m_vertices[front.object].ends.front()).has_value();
   }
 
-  // The number of connected sets of arcs and vertices.
-  std::size_t number_of_components() const
+  // Of each vertex, the index of the connected set of arcs and vertices that it belongs to.
+  std::vector<std::size_t> components_of_vertices() const
   {
-    std::vector<std::size_t> parent(m_vertices.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::size_t v) {
-      while (parent[v] != v)
-        v = parent[v] = parent[parent[v]];
-      return v;
-    };
-    std::size_t result = m_vertices.size();
+    boost::disjoint_sets_with_storage<> sets(m_vertices.size());
     for (const auto& [first, second] : m_vertices_of_arc)
-      if (const std::size_t a = root(first), b = root(second); a != b) {
-        parent[a] = b;
-        --result;
-      }
+      sets.union_set(first, second);
+    std::map<std::size_t, std::size_t> index_of_root;
+    std::vector<std::size_t> result;
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      result.push_back(index_of_root.emplace(sets.find_set(v), index_of_root.size()).first->second);
     return result;
   }
 
