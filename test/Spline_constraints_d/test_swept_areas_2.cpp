@@ -120,6 +120,7 @@ TEST(SweptAreas, OfCurvesAlongCurves)
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);
   expect_area(SC::swept_area(bezier({P(0, 0), P(1, 2), P(2, 0)}), segment(P(0, 0), P(0, 1))), 2, 1);
   expect_area(SC::swept_area(segment(P(0, 0), P(0, 1)), circle(3)), 6 + 9 * CGAL_PI - (18 * std::acos(1 / 6.0) - 0.5 * std::sqrt(35)), 2);   // of the hull of the disks in both places, without what they have in common
+  expect_area(SC::swept_area(bezier({P(0, 0), P(0, 0), P(1, 2), P(1, 2)}), segment(P(0, 0), P(3, 1))), 5, 1);   // a segment, whose derivative is zero in both ends
   const Sum flat = SC::swept_area(segment(P(0, 0), P(1, 1)), segment(P(0, 0), P(2, 2)));
   EXPECT_TRUE(flat.is_complete());
   EXPECT_TRUE(flat.boundaries().empty());
@@ -185,6 +186,7 @@ TEST(SweptAreas, BadInput)
 {
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(0, 0)})), SC::Invalid_input);
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(1, 1), P(0, 0)})), SC::Invalid_input);   // turns back
+  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(3, 0), P(-1, 0), P(1, 0)})), SC::Invalid_input);   // on its line
 }
 
 } // namespace

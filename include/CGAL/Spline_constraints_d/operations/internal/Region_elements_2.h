@@ -46,6 +46,27 @@ inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc
   return result;
 }
 
+// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
+struct Tangent_jet
+{
+  Interval_pair point, tangent, change;
+  Interval speed;
+
+  Interval turn() const { return cross(tangent, change); }
+  Interval squared_length() const { return squared_norm(tangent); }
+};
+
+// Without the derivative of the tangent, where this is not needed.
+inline Tangent_jet tangent_jet(const Site_arc_2& arc, const Range& range, bool has_change = true)
+{
+  if (arc.has_singular_end()) {
+    const auto [tangent, change] = arc.tangent_jet(range);
+    return {arc.point(range), tangent, change, arc.tangent_factor(range)};
+  }
+  const Curve_jet x = arc.jet(range, has_change ? 2 : 1);
+  return {x[0], x[1], x[2], Interval(1)};
+}
+
 // How the direction of a boundary changes along a part of it.
 enum class Turn { LEFT, RIGHT, STRAIGHT, UNKNOWN };
 
@@ -134,11 +155,11 @@ private:
   {
     const Site_arc_2& a = m_arcs[arc];
     const Exact_pair d0 = direction(arc, range.begin), d1 = direction(arc, range.end);
-    if (a.is_straight())
+    const Tangent_jet jet = tangent_jet(a, range);
+    const bool is_regular = certain_sign(squared_norm_of(jet.tangent)) > 0;
+    if (a.is_straight() && is_regular)
       return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
-    const Curve_jet jet = a.jet(range, 2);
-    const int turn = certain_sign(cross(jet[1], jet[2]));
-    const bool is_regular = certain_sign(squared_norm_of(jet[1])) > 0;
+    const int turn = a.is_straight() ? 0 : certain_sign(jet.turn());
     if (turn != 0 && is_regular && is_narrow(d0, d1))
       return add({turn > 0 ? Turn::LEFT : Turn::RIGHT, false, arc, range, {d0, d1}, {}});
     if (range.width() > least_width) {
@@ -157,7 +178,7 @@ private:
   // Up to its length.
   Exact_pair direction(std::size_t arc, double t) const
   {
-    const Exact_pair d = m_arcs[arc].direction_at(to_rational(t));
+    const Exact_pair d = m_arcs[arc].tangent_at(to_rational(t));
     if (sign_of(d[0]) == 0 && sign_of(d[1]) == 0)
       throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + std::to_string(origin(arc, t).second));
     return d;
@@ -170,7 +191,7 @@ private:
     const int turn = sign_of(exact_cross(d0, d1));
     const bool turns_back = turn == 0 && sign_of(exact_dot(d0, d1)) < 0;
     if (turns_back && !is_other_side(before, after))
-      throw Invalid_input("the boundary turns back at the end of curve " + std::to_string(origin(before, 1).first));
+      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + std::to_string(origin(before, 1).second));
     if (turn > 0 || turns_back)
       add_fan(before, d0, d1);
     else if (turn < 0)
