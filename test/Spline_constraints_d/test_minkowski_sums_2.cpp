@@ -404,6 +404,17 @@ TEST(minkowski_sums_2, coincident_control_points)
   EXPECT_NEAR(area(concave), 5 * 6 - below, 1e-3);
 }
 
+// The arc y = x^3 / 9 goes on from a segment with the curvature zero, as where the first three control points are on a line.
+TEST(minkowski_sums_2, flat_ends)
+{
+  const Region region(Curves{SC::bezier_curve<K>({{0, 0}, {1, 0}, {2, 0}, {3, 3}}), SC::polyline_curve<K>({{3, 3}, {-1, 3}, {-1, 0}, {0, 0}})});
+  const Sum sum = SC::minkowski_sum(region, square(1)), twice = SC::minkowski_sum(region, region);
+  expect_complete(sum, 1, 0);
+  EXPECT_NEAR(area(sum), 9.75 + 4 + 3 + 1, 1e-4);
+  expect_complete(twice, 1, 0);
+  EXPECT_NEAR(area(twice), 4 * 9.75, 1e-4);
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

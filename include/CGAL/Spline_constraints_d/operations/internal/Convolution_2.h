@@ -241,19 +241,22 @@ private:
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 0x1p17;
+    constexpr double least_width = 0x1p-32, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
+    constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
     std::vector<Range> convex, unknown{without_fold(piece, convex)};
-    bool is_shorter = true;   // not where the sum of the curvatures is zero all along; only slowly near points with the same tangent as an inflection of both regions
-    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
+    int idle_rounds = 0;
+    for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
         append_by_sign(piece, range, width, convex, parts);
-      std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
-      is_shorter = total_width(parts) < enough * total_width(unknown);
+      if (total_width(parts) < enough * total_width(unknown))
+        std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+      else
+        ++idle_rounds;
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)
-      m_doubtful.push_back(piece(part).point);
+      add_doubtful(piece(part).point);
     std::sort(convex.begin(), convex.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
     std::vector<Range> joined;
     for (const Range& part : convex)

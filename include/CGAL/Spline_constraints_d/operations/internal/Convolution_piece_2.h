@@ -252,7 +252,7 @@ private:
     return result;
   }
 
-  // Where the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where the slope is not certain.
+  // Where the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
   Range turning_parameter(const Interval_pair& direction) const
   {
     constexpr double enough = 0.8;
@@ -263,10 +263,11 @@ private:
       if (const Interval slope = cross(direction, tangent_jet(a, u).change); certain_sign(slope) > 0) {
         const Interval zero = Interval(u.middle()) - value(u.middle()) / slope;
         next = {(std::min)((std::max)(zero.inf(), u.begin), u.end), (std::max)((std::min)(zero.sup(), u.end), u.begin)};
-      } else
+      }
+      if (!(next.width() < enough * u.width()))
         for (const double part : {0.5, 0.25, 0.75}) {
           const double t = u.begin + part * u.width();
-          if (const int sign = certain_sign(value(t)); sign != 0) {
+          if (const int sign = certain_sign(value(t)); sign != 0 && next.begin < t && t < next.end) {
             (sign > 0 ? next.end : next.begin) = t;
             break;
           }

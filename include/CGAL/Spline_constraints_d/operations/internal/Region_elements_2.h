@@ -159,7 +159,7 @@ private:
     const bool is_regular = certain_sign(squared_norm_of(jet.tangent)) > 0;
     if (a.is_straight() && is_regular)
       return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
-    const int turn = a.is_straight() ? 0 : certain_sign(jet.turn());
+    const int turn = a.is_straight() ? 0 : certain_turn(a, jet, range);
     if (turn != 0 && is_regular && is_narrow(d0, d1))
       return add({turn > 0 ? Turn::LEFT : Turn::RIGHT, false, arc, range, {d0, d1}, {}});
     if (range.width() > least_width) {
@@ -170,6 +170,22 @@ private:
     if (!is_regular)
       throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) + " is zero, or nearly so, at parameter " + std::to_string(origin(arc, range.begin).second));
     add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
+  }
+
+  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
+  static int certain_turn(const Site_arc_2& arc, const Tangent_jet& jet, const Range& range)
+  {
+    constexpr double most_width = 0x1p-4;
+    const int sign = certain_sign(jet.turn());
+    if (sign != 0 || range.width() > most_width || (range.begin != 0 && range.end != 1))
+      return sign;
+    const auto& [x, y, w] = arc.piece().coordinates;
+    const auto derivative = [&w](const Exact_tensor& c) { return c.derivative(0) * w - c * w.derivative(0); };
+    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : std::array<Exact_tensor, 2>{derivative(x), derivative(y)};
+    const Exact_tensor turn = (d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0)).restricted(0, to_rational(range.begin), to_rational(range.end));
+    const std::vector<Exact_rational>& c = turn.coefficients();
+    const int inner = sign_of(range.begin == 0 ? c.back() : c.front());
+    return std::any_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == -inner; }) ? 0 : inner;
   }
 
   // The inner product of each two vectors within these bounds: positive if they are all within 90 degrees of each other.
