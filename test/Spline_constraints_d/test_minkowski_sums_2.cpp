@@ -376,11 +376,50 @@ TEST(minkowski_sums_2, flat_corners)
   EXPECT_NEAR(area(sum), area(other), 1e-3);
 }
 
+// The derivative of the arc (6 t^2 - 2 t^3, 3 t^2 (1 - t)) is zero in its begin. With a segment it bounds a convex region of the height 4/9 and the area 6/5; with a frame above it, a region that it bends into.
+TEST(minkowski_sums_2, coincident_control_points)
+{
+  const Curve arc = SC::bezier_curve<K>({{0, 0}, {0, 0}, {2, 1}, {4, 0}});
+  const Region hill(Curves{arc, SC::segment_curve<K>(Point(4, 0), Point(0, 0))}), arch(Curves{arc, SC::polyline_curve<K>({{4, 0}, {4, 5}, {0, 5}, {0, 0}})});
+  const Sum convex = SC::minkowski_sum(hill, square(1)), other = SC::minkowski_sum(square(1), hill), twice = SC::minkowski_sum(hill, hill), concave = SC::minkowski_sum(arch, square(1));
+  expect_complete(convex, 1, 0);
+  expect_origins(hill, square(1), convex);
+  EXPECT_NEAR(area(convex), 1.2 + 4 + 4 / 9.0 + 1, 1e-4);
+  expect_complete(other, 1, 0);
+  EXPECT_NEAR(area(other), area(convex), 1e-4);
+  expect_complete(twice, 1, 0);
+  EXPECT_NEAR(area(twice), 4 * 1.2, 1e-4);
+  expect_complete(concave, 1, 0);
+  expect_origins(arch, square(1), concave);
+  const auto height = [&](double x) {
+    double begin = 0, end = 1;
+    while (end - begin > 1e-9)
+      (arc(begin / 2 + end / 2).x() < x ? begin : end) = begin / 2 + end / 2;
+    return arc(begin).y();
+  };
+  double below = 0;   // the sum, where the arc is above zero all over the side of the square
+  constexpr int steps = 3000;
+  for (int i = 0; i < steps; ++i)
+    below += std::min(height(3.0 * i / steps), height(1 + 3.0 * i / steps)) * 3 / steps;
+  EXPECT_NEAR(area(concave), 5 * 6 - below, 1e-3);
+}
+
+// The arc y = x^3 / 9 goes on from a segment with the curvature zero, as where the first three control points are on a line.
+TEST(minkowski_sums_2, flat_ends)
+{
+  const Region region(Curves{SC::bezier_curve<K>({{0, 0}, {1, 0}, {2, 0}, {3, 3}}), SC::polyline_curve<K>({{3, 3}, {-1, 3}, {-1, 0}, {0, 0}})});
+  const Sum sum = SC::minkowski_sum(region, square(1)), twice = SC::minkowski_sum(region, region);
+  expect_complete(sum, 1, 0);
+  EXPECT_NEAR(area(sum), 9.75 + 4 + 3 + 1, 1e-4);
+  expect_complete(twice, 1, 0);
+  EXPECT_NEAR(area(twice), 4 * 9.75, 1e-4);
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  const Region stops(Curves{SC::bezier_curve<K>({{0, 0}, {0, 0}, {2, 1}, {4, 0}}), SC::segment_curve<K>(Point(4, 0), Point(0, 0))});
-  expect_invalid([&] { SC::minkowski_sum(square, stops); }, "the derivative of curve 0 is zero");
+  const Region cusp(Curves{SC::bezier_curve<K>({{0, 0}, {2, 2}, {0, 2}, {2, 0}}), SC::segment_curve<K>(Point(2, 0), Point(0, 0))});   // at the parameter 1/2
+  expect_invalid([&] { SC::minkowski_sum(square, cusp); }, "the derivative of curve 0 is zero at parameter 0.5");
   expect_invalid([&] { SC::minkowski_sum(square, square).polyline(0, 0, 0); }, "the error must be positive");
   expect_invalid([&] { SC::minkowski_sum(square, square).polygons_with_holes(-1); }, "the error must be positive");
 }

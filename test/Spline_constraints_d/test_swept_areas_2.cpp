@@ -69,6 +69,30 @@ TEST(SweptAreas, AlongPolylines)
   expect_area(SC::swept_area(unit_square(), SC::polyline_curve(std::vector<P>{P(0, 0), P(3, 1), P(1, 4)})), 5 + 6 - 1 - 3 / 11.0, 1);
 }
 
+// Of a round hole there remains what is inside of all disks around the path. Next to its inflection this turns very little; where it is as curved as the hole, its envelope has a cusp.
+TEST(SweptAreas, AlongAnInflection)
+{
+  const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
+  const SC::Planar_region_2<K> frame(std::vector<Curve>{SC::polyline_curve(std::vector<P>{P(-5, -5), P(5, -5), P(5, 5), P(-5, 5), P(-5, -5)}), circle(2)});
+  const Sum sum = SC::swept_area(frame, path);
+  EXPECT_TRUE(sum.is_complete());
+  ASSERT_EQ(sum.boundaries().size(), 2u);
+  int inside = 0, outside = 0;
+  for (double x = -0.5; x < 3.5; x += 0.1875)
+    for (double y = -1; y < 2; y += 0.1875) {
+      double farthest = 0;
+      for (int i = 0; i <= 64; ++i)
+        farthest = std::max(farthest, CGAL::squared_distance(P(x, y), path(i / 64.0)));
+      if (std::abs(std::sqrt(farthest) - 2) < 0.05)
+        continue;
+      const CGAL::Uncertain<bool> answer = sum.has_in_interior(P(x, y));   // not known where the path touches the circle
+      EXPECT_FALSE(CGAL::certainly(answer != (farthest > 4)));
+      (farthest > 4 ? inside : outside) += answer.is_certain();
+    }
+  EXPECT_GT(inside, 50);
+  EXPECT_GT(outside, 20);
+}
+
 std::vector<P> random_points(std::mt19937& random, std::size_t number)
 {
   std::uniform_real_distribution<double> coordinate(0, 10);
@@ -120,6 +144,7 @@ TEST(SweptAreas, OfCurvesAlongCurves)
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);
   expect_area(SC::swept_area(bezier({P(0, 0), P(1, 2), P(2, 0)}), segment(P(0, 0), P(0, 1))), 2, 1);
   expect_area(SC::swept_area(segment(P(0, 0), P(0, 1)), circle(3)), 6 + 9 * CGAL_PI - (18 * std::acos(1 / 6.0) - 0.5 * std::sqrt(35)), 2);   // of the hull of the disks in both places, without what they have in common
+  expect_area(SC::swept_area(bezier({P(0, 0), P(0, 0), P(1, 2), P(1, 2)}), segment(P(0, 0), P(3, 1))), 5, 1);   // a segment, whose derivative is zero in both ends
   const Sum flat = SC::swept_area(segment(P(0, 0), P(1, 1)), segment(P(0, 0), P(2, 2)));
   EXPECT_TRUE(flat.is_complete());
   EXPECT_TRUE(flat.boundaries().empty());
@@ -185,6 +210,7 @@ TEST(SweptAreas, BadInput)
 {
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(0, 0)})), SC::Invalid_input);
   EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(1, 1), P(0, 0)})), SC::Invalid_input);   // turns back
+  EXPECT_THROW(SC::swept_area(disk(1), bezier({P(0, 0), P(3, 0), P(-1, 0), P(1, 0)})), SC::Invalid_input);   // on its line
 }
 
 } // namespace

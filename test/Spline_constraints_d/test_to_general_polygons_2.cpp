@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/geometry/circle_segment_traits_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/to_general_polygons_2.h>
 
@@ -84,6 +85,22 @@ TEST(General_polygons, bezier_curves)
   EXPECT_EQ(arcs[0].degree() + arcs[1].degree(), 3);
   const auto turning = SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{Point(0, 0), Point(1, 1), Point(0, 2)}), SC::segment_curve<Kernel>(Point(0, 2), Point(0, 0))});
   EXPECT_EQ(bezier_polygons(turning)[0].outer_boundary().size(), 3u);
+}
+
+// A square with a square hole, and a disk: polygons next to the sum, joined with a disk in the hole.
+TEST(General_polygons, minkowski_sum)
+{
+  const auto outline = [](int size) { return SC::polyline_curve<Kernel>({Point(-size, -size), Point(size, -size), Point(size, size), Point(-size, size), Point(-size, -size)}); };
+  const auto frame = SC::planar_region(std::vector<Curve>{outline(6), outline(5)});
+  const auto polygons = SC::minkowski_sum(frame, SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(1)))).polygons_with_holes(0.125);
+  ASSERT_EQ(polygons.size(), 1u);
+  const auto general = circular_polygons(SC::planar_region(polygons.front()));
+  ASSERT_EQ(general.size(), 1u);
+  EXPECT_EQ(general[0].number_of_holes(), 1u);
+  CGAL::General_polygon_set_2<Circle_traits> set(general[0]);
+  set.join(circular_polygons(SC::planar_region(SC::circle_curve(Point(0, 0), Exact_rational(2))))[0]);
+  for (const int x : {0, 1, 3, 5, 6, 8})
+    EXPECT_EQ(set.oriented_side(Circle_traits::Point_2(x, 0)) == CGAL::ON_POSITIVE_SIDE, x != 3 && x != 8) << x;
 }
 
 TEST(General_polygons, other_curves_are_refused)

@@ -48,7 +48,7 @@ It is computed and proved as `minkowski_sum()`, with the curve as a region witho
 \tparam Curve a model of `ParametricCurve_2` with the same kernel.
 \param region the region.
 \param path the curve. Its index in the arcs of the result is zero.
-\throws Invalid_input when the derivative of a curve is zero, a curve turns back in a cusp or has a jump.
+\throws Invalid_input when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or has a jump; the message names the parameter.
 
 Complexity: as that of `minkowski_sum()`, with each arc of the curve counted twice.
 */

@@ -80,8 +80,8 @@ private:
     if (element.is_corner)
       return std::numeric_limits<double>::infinity();
     const auto at = [&](double t) {
-      const Curve_jet jet = m_regions[region]->arcs()[element.arc].jet({t, t}, 2);
-      return cross(jet[1], jet[2]).inf() / std::pow(squared_norm(jet[1]).inf(), 1.5);
+      const Tangent_jet jet = tangent_jet(m_regions[region]->arcs()[element.arc], {t, t});
+      return jet.turn().inf() / (jet.speed.sup() * std::pow(jet.squared_length().inf(), 1.5));   // infinite where the derivative is zero
     };
     return (std::min)(at(element.range.begin), at(element.range.end));
   }
@@ -101,22 +101,22 @@ private:
   {
     constexpr double least_width = 0x1p-20;
     const Region_element &a = element(unknown, elements[unknown]), &b = element(1 - unknown, elements[1 - unknown]);
-    const auto curvature = [](const Curve_jet& jet) {
-      const Interval square = squared_norm(jet[1]);
-      return cross(jet[1], jet[2]) / (square * CGAL::sqrt(square));
+    const auto curvature = [](const Tangent_jet& jet) {   // times the speed
+      const Interval square = jet.squared_length();
+      return jet.turn() / (square * CGAL::sqrt(square));
     };
-    const Curve_jet p = m_regions[unknown]->arcs()[a.arc].jet(a.range, 2);
+    const Tangent_jet p = tangent_jet(m_regions[unknown]->arcs()[a.arc], a.range);
     for (std::vector<Range> todo{b.range}; !todo.empty();) {
       const Range part = todo.back();
       todo.pop_back();
-      const Curve_jet q = m_regions[1 - unknown]->arcs()[b.arc].jet(part, 2);
-      if (certain_sign(cross(p[1], q[1])) != 0 || certain_sign(curvature(p) + curvature(q)) < 0)
+      const Tangent_jet q = tangent_jet(m_regions[1 - unknown]->arcs()[b.arc], part);
+      if (certain_sign(cross(p.tangent, q.tangent)) != 0 || certain_sign(q.speed * curvature(p) + p.speed * curvature(q)) < 0)
         continue;
       if (b.turn == Turn::RIGHT && part.width() > least_width) {
         todo.push_back({part.begin, part.middle()});
         todo.push_back({part.middle(), part.end});
       } else
-        add_doubtful(p[0] + q[0]);
+        add_doubtful(p.point + q.point);
     }
   }
 
@@ -208,7 +208,7 @@ private:
         const double t = result.begin + part * result.width();
         if (!(result.begin < t && t < result.end))
           continue;
-        if (const int s = certain_sign(cross(direction, arc.jet({t, t}, 1)[1])); s != 0) {
+        if (const int s = certain_sign(cross(direction, tangent_jet(arc, {t, t}, false).tangent)); s != 0) {
           (s == sign ? result.end : result.begin) = t;
           is_shorter = true;
           break;
@@ -222,8 +222,8 @@ private:
   void add_inflection(const std::array<std::size_t, 2>& elements, std::size_t turning)
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
-    const Curve_jet jet = m_regions[1 - turning]->arcs()[b.arc].jet(b.range, 2);
-    const int first = certain_sign(cross(a.directions[0], jet[1])), last = certain_sign(cross(jet[1], a.directions[1]));
+    const Interval_pair direction = tangent_jet(m_regions[1 - turning]->arcs()[b.arc], b.range, false).tangent;
+    const int first = certain_sign(cross(a.directions[0], direction)), last = certain_sign(cross(direction, a.directions[1]));
     if (first < 0 || last < 0)
       return;
     std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
@@ -241,19 +241,22 @@ private:
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, ratio = 0x1p-8, enough = 0.95, most_parts = 0x1p17;
+    constexpr double least_width = 0x1p-32, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
+    constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
     std::vector<Range> convex, unknown{without_fold(piece, convex)};
-    bool is_shorter = true;   // not where the sum of the curvatures is zero all along; only slowly near points with the same tangent as an inflection of both regions
-    for (double width = ratio; is_shorter && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
+    int idle_rounds = 0;
+    for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
         append_by_sign(piece, range, width, convex, parts);
-      std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
-      is_shorter = total_width(parts) < enough * total_width(unknown);
+      if (total_width(parts) < enough * total_width(unknown))
+        std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
+      else
+        ++idle_rounds;
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)
-      m_doubtful.push_back(piece(part).point);
+      add_doubtful(piece(part).point);
     std::sort(convex.begin(), convex.end(), [](const Range& a, const Range& b) { return a.begin < b.begin; });
     std::vector<Range> joined;
     for (const Range& part : convex)

@@ -84,7 +84,7 @@ public:
   std::array<Convolution_piece_2, 2> split(const Exact_rational& t, const Exact_pair& point) const
   {
     const auto [below, above] = to_double_interval(t);
-    const Convolution_end end{{below, above}, {}, moving_arc().direction_at(t), point};
+    const Convolution_end end{{below, above}, {}, moving_arc().tangent_at(t), point};
     std::array<Convolution_piece_2, 2> result{*this, *this};
     result[0].m_ends[1] = result[1].m_ends[0] = end;
     return result;
@@ -95,7 +95,7 @@ public:
   {
     for (Convolution_end& end : m_ends)
       if (end.direction && !end.point)
-        if (const std::optional<Exact_rational> t = simple_number(end.range); t && are_parallel(*end.direction, moving_arc().direction_at(*t)))
+        if (const std::optional<Exact_rational> t = simple_number(end.range); t && are_parallel(*end.direction, moving_arc().tangent_at(*t)))
           end.point = exact_point(*t);
   }
 
@@ -105,9 +105,9 @@ public:
     const Exact_pair b = moving_arc().at(t);
     Exact_rational u(1);
     if (!has_corner()) {
-      const Exact_pair direction = moving_arc().direction_at(t);
+      const Exact_pair direction = moving_arc().tangent_at(t);
       const std::optional<Exact_rational> candidate = m_is_double ? t : simple_number(turning_parameter({interval_of(direction[0]), interval_of(direction[1])}));
-      if (!candidate || !are_parallel(direction, turning_arc().direction_at(*candidate)))
+      if (!candidate || !are_parallel(direction, turning_arc().tangent_at(*candidate)))
         return std::nullopt;
       u = *candidate;
     }
@@ -151,34 +151,34 @@ public:
   }
 
   /*
-  The point, the direction, that of the moving arc, and the curvature. With parallel derivatives a' = l b' of the two arcs, the derivative of the sum is b' times
+  The point, the direction, that of the moving arc, and the curvature. With parallel tangents a = l b of the two arcs and their derivatives m a and n b, the derivative of the sum is b times
 
-    1 + l^3 (b' x b'') / (a' x a'').
+    n + m l^3 (b x b') / (a x a').
   */
   Traced_jet operator()(const Range& range) const
   {
     const Region_element &turning = element(m_turning), &moving = element(1 - m_turning);
-    const Curve_jet b = moving_arc().jet(range, 2);
-    const Interval square = squared_norm(b[1]), curvature = moving.turn == Turn::STRAIGHT ? Interval(0) : cross(b[1], b[2]) / (square * CGAL::sqrt(square));
+    const Tangent_jet b = tangent_jet(moving_arc(), range);
+    const Interval square = b.squared_length(), turn = moving.turn == Turn::STRAIGHT ? Interval(0) : b.turn() / (square * CGAL::sqrt(square));
     if (turning.is_corner)
-      return {turning_arc().point({1, 1}) + b[0], b[1], Interval(1), curvature};
-    const Curve_jet a = turning_arc().jet(turning_range(range, b[1]), 2);
+      return {turning_arc().point({1, 1}) + b.point, b.tangent, b.speed, turn / b.speed};
+    const Tangent_jet a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
     if (moving.turn == Turn::STRAIGHT)
-      return {a[0] + b[0], b[1], Interval(1), curvature};
-    const Interval ratio = dot(a[1], b[1]) / square, factor = m_is_double ? Interval(2) : Interval(1) + ratio * CGAL::square(ratio) * (cross(b[1], b[2]) / cross(a[1], a[2]));
-    return {a[0] + b[0], b[1], factor, curvature / factor};
+      return {a.point + b.point, b.tangent, b.speed, turn};
+    const Interval ratio = dot(a.tangent, b.tangent) / square, speed = m_is_double ? Interval(2) * b.speed : b.speed + a.speed * ratio * CGAL::square(ratio) * (b.turn() / a.turn());
+    return {a.point + b.point, b.tangent, speed, turn / speed};
   }
 
   // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
   int sign_of_speed(const Range& range) const
   {
-    const Curve_jet b = moving_arc().jet(range, 2), a = turning_arc().jet(turning_range(range, b[1]), 2);
-    const Interval ratio = dot(a[1], b[1]) / squared_norm(b[1]);
-    return certain_sign(cross(a[1], a[2]) + ratio * CGAL::square(ratio) * cross(b[1], b[2]));
+    const Tangent_jet b = tangent_jet(moving_arc(), range), a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
+    const Interval ratio = dot(a.tangent, b.tangent) / b.squared_length();
+    return certain_sign(b.speed * a.turn() + a.speed * ratio * CGAL::square(ratio) * b.turn());
   }
 
   // Tangential to the piece.
-  Interval_pair direction(const Range& range) const { return moving_arc().jet(range, 1)[1]; }
+  Interval_pair direction(const Range& range) const { return tangent_jet(moving_arc(), range, false).tangent; }
 
   // The parameters of the arcs of both regions, about.
   std::array<double, 2> parameters(double t) const
@@ -189,7 +189,7 @@ public:
   }
 
   // The parameters of the turning arc in a range of the moving one.
-  Range turning_range(const Range& range) const { return turning_range(range, moving_arc().jet(range, 1)[1]); }
+  Range turning_range(const Range& range) const { return turning_range(range, direction(range)); }
 
   const Region_element& element(std::size_t region) const { return m_regions[region]->elements()[m_elements[region]]; }
   const Site_arc_2& arc(std::size_t region) const { return m_regions[region]->arcs()[element(region).arc]; }
@@ -252,21 +252,22 @@ private:
     return result;
   }
 
-  // Where the derivative of the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where the slope is not certain.
+  // Where the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
   Range turning_parameter(const Interval_pair& direction) const
   {
     constexpr double enough = 0.8;
     const Site_arc_2& a = arc(m_turning);
-    const auto value = [&](double t) { return cross(direction, a.jet({t, t}, 1)[1]); };
+    const auto value = [&](double t) { return cross(direction, tangent_jet(a, {t, t}, false).tangent); };
     for (Range u = element(m_turning).range;;) {
       Range next = u;
-      if (const Interval slope = cross(direction, a.jet(u, 2)[2]); certain_sign(slope) > 0) {
+      if (const Interval slope = cross(direction, tangent_jet(a, u).change); certain_sign(slope) > 0) {
         const Interval zero = Interval(u.middle()) - value(u.middle()) / slope;
         next = {(std::min)((std::max)(zero.inf(), u.begin), u.end), (std::max)((std::min)(zero.sup(), u.end), u.begin)};
-      } else
+      }
+      if (!(next.width() < enough * u.width()))
         for (const double part : {0.5, 0.25, 0.75}) {
           const double t = u.begin + part * u.width();
-          if (const int sign = certain_sign(value(t)); sign != 0) {
+          if (const int sign = certain_sign(value(t)); sign != 0 && next.begin < t && t < next.end) {
             (sign > 0 ? next.end : next.begin) = t;
             break;
           }

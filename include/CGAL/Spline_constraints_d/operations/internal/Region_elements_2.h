@@ -46,6 +46,27 @@ inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc
   return result;
 }
 
+// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
+struct Tangent_jet
+{
+  Interval_pair point, tangent, change;
+  Interval speed;
+
+  Interval turn() const { return cross(tangent, change); }
+  Interval squared_length() const { return squared_norm(tangent); }
+};
+
+// Without the derivative of the tangent, where this is not needed.
+inline Tangent_jet tangent_jet(const Site_arc_2& arc, const Range& range, bool has_change = true)
+{
+  if (arc.has_singular_end()) {
+    const auto [tangent, change] = arc.tangent_jet(range);
+    return {arc.point(range), tangent, change, arc.tangent_factor(range)};
+  }
+  const Curve_jet x = arc.jet(range, has_change ? 2 : 1);
+  return {x[0], x[1], x[2], Interval(1)};
+}
+
 // How the direction of a boundary changes along a part of it.
 enum class Turn { LEFT, RIGHT, STRAIGHT, UNKNOWN };
 
@@ -134,11 +155,11 @@ private:
   {
     const Site_arc_2& a = m_arcs[arc];
     const Exact_pair d0 = direction(arc, range.begin), d1 = direction(arc, range.end);
-    if (a.is_straight())
+    const Tangent_jet jet = tangent_jet(a, range);
+    const bool is_regular = certain_sign(squared_norm_of(jet.tangent)) > 0;
+    if (a.is_straight() && is_regular)
       return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
-    const Curve_jet jet = a.jet(range, 2);
-    const int turn = certain_sign(cross(jet[1], jet[2]));
-    const bool is_regular = certain_sign(squared_norm_of(jet[1])) > 0;
+    const int turn = a.is_straight() ? 0 : certain_turn(a, jet, range);
     if (turn != 0 && is_regular && is_narrow(d0, d1))
       return add({turn > 0 ? Turn::LEFT : Turn::RIGHT, false, arc, range, {d0, d1}, {}});
     if (range.width() > least_width) {
@@ -151,13 +172,29 @@ private:
     add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
   }
 
+  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
+  static int certain_turn(const Site_arc_2& arc, const Tangent_jet& jet, const Range& range)
+  {
+    constexpr double most_width = 0x1p-4;
+    const int sign = certain_sign(jet.turn());
+    if (sign != 0 || range.width() > most_width || (range.begin != 0 && range.end != 1))
+      return sign;
+    const auto& [x, y, w] = arc.piece().coordinates;
+    const auto derivative = [&w](const Exact_tensor& c) { return c.derivative(0) * w - c * w.derivative(0); };
+    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : std::array<Exact_tensor, 2>{derivative(x), derivative(y)};
+    const Exact_tensor turn = (d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0)).restricted(0, to_rational(range.begin), to_rational(range.end));
+    const std::vector<Exact_rational>& c = turn.coefficients();
+    const int inner = sign_of(range.begin == 0 ? c.back() : c.front());
+    return std::any_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == -inner; }) ? 0 : inner;
+  }
+
   // The inner product of each two vectors within these bounds: positive if they are all within 90 degrees of each other.
   static Interval squared_norm_of(const Interval_pair& v) { return dot(v, v); }
 
   // Up to its length.
   Exact_pair direction(std::size_t arc, double t) const
   {
-    const Exact_pair d = m_arcs[arc].direction_at(to_rational(t));
+    const Exact_pair d = m_arcs[arc].tangent_at(to_rational(t));
     if (sign_of(d[0]) == 0 && sign_of(d[1]) == 0)
       throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + std::to_string(origin(arc, t).second));
     return d;
@@ -170,7 +207,7 @@ private:
     const int turn = sign_of(exact_cross(d0, d1));
     const bool turns_back = turn == 0 && sign_of(exact_dot(d0, d1)) < 0;
     if (turns_back && !is_other_side(before, after))
-      throw Invalid_input("the boundary turns back at the end of curve " + std::to_string(origin(before, 1).first));
+      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + std::to_string(origin(before, 1).second));
     if (turn > 0 || turns_back)
       add_fan(before, d0, d1);
     else if (turn < 0)

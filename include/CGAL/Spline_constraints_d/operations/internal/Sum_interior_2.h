@@ -35,8 +35,8 @@ public:
       for (const Site_arc_2& arc : m_regions[k]->arcs())
         m_arcs[k].emplace_back(
           [&arc](const Range& range) {
-            const Curve_jet jet = arc.jet(range, 1);
-            return Traced_jet{jet[0], jet[1], Interval(1), Interval(0)};   // curvatures are not needed
+            const Tangent_jet jet = tangent_jet(arc, range, false);
+            return Traced_jet{jet.point, jet.tangent, jet.speed, Interval(0)};   // curvatures are not needed
           },
           Range{0, 1}, Range{0, 1});
   }
