@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -67,7 +68,9 @@ TEST(TrimmedOffsets, Points)
 
   const std::vector<P> points{P(0, 0), P(2, 0)};
   EXPECT_EQ(counts(SC::trimmed_offset(Curves(), 0.999, points)), (Counts{2, 0, 2}));
-  EXPECT_FALSE(SC::trimmed_offset(Curves(), 1, points).is_complete());   // the circles touch
+  const Offset touching = SC::trimmed_offset(Curves(), 1, points);   // one boundary that passes the point twice
+  EXPECT_EQ(counts(touching).components, 1U);
+  EXPECT_NEAR(area(touching), 2 * pi, tolerance);
   const Offset merged = SC::trimmed_offset(Curves(), 2, points);
   EXPECT_EQ(counts(merged), (Counts{1, 0, 2}));
   EXPECT_NEAR(area(merged), 16 * pi / 3 + 2 * std::sqrt(3.0), tolerance);   // each disk loses a segment of 120 degrees
@@ -104,7 +107,7 @@ TEST(TrimmedOffsets, CircleOfFourArcs)
   const Offset disk = SC::trimmed_offset(circle, 4);
   EXPECT_EQ(counts(disk), (Counts{1, 0, 1}));
   EXPECT_NEAR(area(disk), 49 * pi, tolerance);
-  EXPECT_FALSE(SC::trimmed_offset(circle, 3).is_complete());   // the inner offset is a point
+  EXPECT_EQ(counts(SC::trimmed_offset(circle, 3)), (Counts{1, 0, 1}));   // the inner offset is a point
 }
 
 // Sides 3, 4, 5, and an inscribed circle of radius 1: inside, a similar triangle is left.
@@ -200,6 +203,46 @@ TEST(TrimmedOffsets, CurvesThatTouch)
 
   const Offset curves = SC::trimmed_offset(Curves{circle(1, 1), circle(-1, 1), bezier({P(0, -3), P(0, 3)}), bezier({P(1, 0), P(3, 0)})}, 0.25);
   EXPECT_EQ(counts(curves), (Counts{1, 2, counts(curves).arcs}));
+}
+
+// Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances, areas, and the numbers of components and holes.
+TEST(TrimmedOffsets, RoundDistances)
+{
+  struct Expected
+  {
+    double distance, area;
+    std::size_t components, holes;
+  };
+  const auto check = [](const Curves& curves, const std::vector<Expected>& all) {
+    const auto region = SC::planar_region(curves);
+    for (const Expected& expected : all) {
+      const Offset offset = SC::trimmed_offset(region, expected.distance);
+      EXPECT_EQ(counts(offset), (Counts{expected.components, expected.holes, offset.arcs().size()})) << expected.distance;
+      EXPECT_NEAR(area(offset), expected.area, tolerance) << expected.distance;
+    }
+  };
+  const auto squares = [](const std::vector<std::array<double, 3>>& all) {   // corner and side
+    Curves result;
+    for (const auto& [x, y, side] : all)
+      for (const Curve& curve : polygon_sides({P(x, y), P(x + side, y), P(x + side, y + side), P(x, y + side)}))
+        result.push_back(curve);
+    return result;
+  };
+  const double corner = 1 - pi / 4;   // between a square and a quarter of a disk
+  check(squares({{0, 0, 2}, {4, 0, 2}}), {{1, 24 + 2 * pi, 1, 0}, {-1, 0, 0, 0}});
+  check(squares({{0, 0, 3}, {6, 7, 3}}), {{2.5, 78 + 12.5 * pi, 1, 0}});   // corners 3 and 4 apart touch
+  check(squares({{0, 0, 6}, {2, 2, 2}}), {{1, 60 + pi, 1, 0}, {-1, 4 * corner, 4, 0}});   // a frame
+  check(polygon_sides({P(0, 0), P(10, 0), P(10, 2), P(0, 2)}), {{-1, 0, 0, 0}});
+  check(polygon_sides({P(0, 0), P(6, 0), P(6, 6), P(4, 6), P(4, 2), P(2, 2), P(2, 6), P(0, 6)}), {{1, 60 + pi - 2 * corner, 1, 0}, {-1, 2 * corner, 2, 0}});   // U
+  check(polygon_sides({P(0, 0), P(4, 0), P(4, 2), P(2, 2), P(2, 4), P(0, 4)}), {{-1, corner, 1, 0}});   // L
+  check(polygon_sides({P(0, 0), P(5, 0), P(5, 2), P(9, 2), P(9, 0), P(14, 0), P(14, 6), P(9, 6), P(9, 4), P(5, 4), P(5, 6), P(0, 6)}), {{-1, 24 + 4 * corner, 2, 0}});   // the rooms, and the corridor is closed
+  check(polygon_sides({P(0, 0), P(4, 0), P(0, 3)}), {{-1, 0, 0, 0}});   // the inscribed circle
+  const auto circle = [](double x, double r) { return SC::circle_curve(P(x, 0), r); };
+  check({circle(0, 1), circle(4, 1)}, {{1, 8 * pi, 1, 0}, {-1, 0, 0, 0}});
+  check({circle(0, 3), circle(0, 1)}, {{1, 16 * pi, 1, 0}, {-1, 0, 0, 0}});   // a ring
+  const auto quarter = [](double x, double y, const P& from, const P& to) { return SC::circular_arc_curve(P(x, y), from, to); };
+  check({bezier({P(1, 0), P(5, 0)}), quarter(5, 1, P(5, 0), P(6, 1)), bezier({P(6, 1), P(6, 3)}), quarter(5, 3, P(6, 3), P(5, 4)), bezier({P(5, 4), P(1, 4)}), quarter(1, 3, P(1, 4), P(0, 3)), bezier({P(0, 3), P(0, 1)}), quarter(1, 1, P(0, 1), P(1, 0))},
+        {{-1, 8, 1, 0}});   // round corners that become sharp
 }
 
 TEST(TrimmedOffsets, RegionOfADrawing)

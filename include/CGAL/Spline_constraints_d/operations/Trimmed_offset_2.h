@@ -28,7 +28,7 @@ A trimmed offset: the boundary of the set of all points at no more than a given 
 
 It consists of closed boundaries, each of offsets of parts of curves, and of arcs of circles around points, in order. The set is on their left: outer boundaries are counterclockwise, holes clockwise.
 
-Arcs are connected by proof, and boundaries are proved to be outer ones or holes. Where something is not decided, `is_complete()` is false; boundaries that are affected are not closed.
+Arcs are connected by proof, and boundaries are proved to be outer ones or holes. A boundary may touch itself or another one in points, but does not cross it: offsets that touch are connected as those at a distance that is a little greater. Where something is not decided, `is_complete()` is false; boundaries that are affected are not closed.
 
 \tparam Kernel a `SplineKernel`.
 */

@@ -28,7 +28,10 @@ the trimmed offset of curves and points in the plane: the boundary of the set of
 Open curves are offset on both sides, with round ends. Curves may cross each other, share end points, and be given twice or have pieces in common, which are offset once, as those of the curve with the lowest index.
 
 Along each side of each polynomial piece, and all normals of each end, those disks of the given radius are found that have no curve inside. By subdivision with interval arithmetic in double precision, as for a `voronoi_diagram()`: it is proved where they are free, or covered; the ends between are zeros of functions of one variable, and proved to be the only ones; and
-each is connected to the other curve that the disk touches there, not by coordinates. Two offsets that touch, radii of curvature of that size in a vertex of a curve, and curves that touch each other at parameters that are not rational, on the side in question, are not decided: `Trimmed_offset_2::is_complete()` is false.
+each is connected to the other curve that the disk touches there, not by coordinates.
+
+Where disks are touched from opposite, as between parallel walls at exactly twice the distance, or two corners, the offset is the limit of those at greater distances: offsets that coincide bound nothing, and where two touch in a point, both end in it. That is decided exactly if the point is an end of one of the curves, and opposite to an end or a straight part of the other one, and for arcs of circles with one center.
+So a grown set of which two parts touch is one component, the outer boundary of which passes the point twice, and a shrunk one falls into components. Other offsets that touch, radii of curvature of that size in a vertex of a curve, and curves that touch each other at parameters that are not rational, on the side in question, are not decided: `Trimmed_offset_2::is_complete()` is false.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.

@@ -114,11 +114,21 @@ private:
   {
     const Free_end& last = end(piece, true);
     switch (last.kind) {
-    case Free_end::Kind::FRONT_END: return first_piece(front(piece).next, last.kind);
+    case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.front), last.kind);
     case Free_end::Kind::POINT: return piece_around_point(piece.front);
     case Free_end::Kind::CONTACT: return piece_across(piece, center(piece.front, last));
+    case Free_end::Kind::TIE: return piece_opposite(last);
     default: return none;
     }
+  }
+
+  // The next front of which the centers are not one point.
+  std::size_t next_curve(std::size_t f) const
+  {
+    std::size_t result = m_graph.fronts()[f].next;
+    while (m_ranges[result].is_point)
+      result = m_graph.fronts()[result].next;
+    return result;
   }
 
   std::size_t first_piece(std::size_t f, Free_end::Kind kind) const
@@ -143,6 +153,21 @@ private:
       end = m_graph.next_around_vertex(other, end);
     }
     return none;
+  }
+
+  // The piece that begins where another one ends because the disk is touched from opposite: it has the same disk, and the other normal.
+  std::size_t piece_opposite(const Free_end& last) const
+  {
+    std::size_t result = none;
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+      const Free_end& first = end(m_pieces[i], false);
+      if (first.kind != Free_end::Kind::TIE || first.disk->center != last.disk->center || first.disk->way != Exact_pair{Exact_rational(-last.disk->way[0]), Exact_rational(-last.disk->way[1])})
+        continue;
+      if (result != none)
+        return none;
+      result = i;
+    }
+    return result;
   }
 
   // The piece that begins where another one ends in a second contact.

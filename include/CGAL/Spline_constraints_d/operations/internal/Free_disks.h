@@ -5,10 +5,12 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FREE_DISKS_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Covering_sites.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Cusps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Opposite_sites.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Singular_ends.h>
 
 #include <CGAL/number_utils.h>
@@ -34,6 +36,7 @@ class Free_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr double least_width = 0x1p-33;
+  static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
   static constexpr int most_nodes = 2000;
   static constexpr int most_halvings = 12;
 
@@ -43,6 +46,7 @@ class Free_disks
   const Cusps_2& m_cusps;
   Disk_candidates m_candidates;
   std::optional<Disk_slopes> m_slopes;
+  std::optional<Opposite_sites> m_opposite_sites;
   Exact_rational m_exact_radius;
   Interval m_radius;
   Free_ranges m_result;
@@ -62,10 +66,12 @@ public:
     m_is_free = false;
     m_nodes = 0;
     m_slopes.emplace(m_graph, front);
-    if (const int sign = sign_in_own_circle(front); sign < 0)
+    m_opposite_sites.emplace(m_graph, front, m_exact_radius);
+    if (const int sign = sign_in_own_circle(front); sign >= 0)
+      m_result.is_point = sign == 0;   // for any greater radius, all disks are covered
+    else if (!m_opposite_sites->are_circles())
       sweep_between_cusps(front);
-    else if (sign == 0)
-      append_undecided(Range());
+    m_opposite_sites->cut(m_result);
     return std::move(m_result);
   }
 
@@ -108,6 +114,8 @@ private:
       return;
     }
     std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_singular_ends.is_behind(part, candidate); });
+    if (range.width() < width_of_ties)
+      std::erase_if(candidates, [&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() >= wanted.inf() && m_opposite_sites->contain(candidate); });
     if (append_pocket(part, candidates))
       return;
     const auto remove = [&](const auto& is_low) { return std::erase_if(candidates, is_low) > 0; };
@@ -116,7 +124,7 @@ private:
     if (resolve(part, candidates, least) || (remove(is_below_in_parts) && resolve(part, candidates, least)))
       return;
     if (range.width() < least_width || ++m_nodes > most_nodes) {
-      append_undecided(range);
+      append_least(part, candidates);
       return;
     }
     const double middle = range.begin + split_ratio * range.width();
@@ -131,6 +139,26 @@ private:
     if (k.is_below_vertex || k.value.sup() < wanted)
       return true;
     return halvings > 0 && is_below(part, arc, {range.begin, range.middle()}, wanted, halvings - 1) && is_below(part, arc, {range.middle(), range.end}, wanted, halvings - 1);
+  }
+
+  // A part that is not divided any more.
+  void append_least(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  {
+    const Covering_sites sites(m_graph, part.front, m_exact_radius, candidates);
+    append_boundary({Free_end::Kind::UNDECIDED, part.range});
+    if (!sites.cover(part.range) && !is_covered_behind_end(part, sites))
+      m_result.undecided.push_back(part.range);
+  }
+
+  // Whether the disk in an end of the front touches a vertex, and those behind it hold that.
+  bool is_covered_behind_end(const Front_part& part, const Covering_sites& sites) const
+  {
+    const auto holds_behind = [&](bool end, std::size_t vertex) { return certain_sign(m_curvature(part, vertex).du - wanted_slope(part)) == (end ? -1 : 1) && sites.touches_at_end(end, vertex); };
+    for (const bool end : {false, true})
+      if ((end ? part.range.end == 1 : part.range.begin == 0) && (m_graph.fronts()[part.front].is_fan || m_graph.is_exact({m_graph.fronts()[part.front].object, end})))
+        if (std::any_of(sites.vertices().begin(), sites.vertices().end(), [&](std::size_t v) { return holds_behind(end, v); }))
+          return true;
+    return false;
   }
 
   // The curvature of the disks of the radius.

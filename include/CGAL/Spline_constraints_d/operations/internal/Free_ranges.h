@@ -7,21 +7,29 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; or somewhere in a range that is not decided.
+// A disk between two points opposite to each other: its center, and the way there from the front.
+struct Disk_between
+{
+  Exact_pair center, way;
+};
+
+// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; where it is touched from opposite, in a point known exactly (see Opposite_sites); or somewhere in a range that is not decided.
 struct Free_end
 {
-  enum class Kind { FRONT_END, POINT, CONTACT, UNDECIDED };
+  enum class Kind { FRONT_END, POINT, CONTACT, TIE, UNDECIDED };
 
   Kind kind = Kind::FRONT_END;
   Range location{};             // holds the parameter
   Disk_contact contact{};       // the second one
   Range contact_location{};     // on an arc
+  std::optional<Disk_between> disk = std::nullopt;   // that is touched from opposite
 };
 
 using Free_range = std::array<Free_end, 2>;   // begin, end
@@ -31,6 +39,7 @@ struct Free_ranges
 {
   std::vector<Free_range> free;
   std::vector<Range> undecided;
+  bool is_point = false;   // the front is an arc of a circle, and all disks are the one in that
 };
 
 } // namespace internal
