@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -85,7 +86,7 @@ TEST(Circular_polygons, offset_of_a_square)
   }
 }
 
-// The sum of a disk and a ring is a ring; without the half disks at the ends of the axis, points are where distances tell.
+// The sum of a disk and a ring is a ring; without two disks that cut into it, points are where distances tell.
 TEST(Circular_polygons, sum_with_a_hole_and_a_difference)
 {
   const auto ring = SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 5.0), SC::circle_curve(Point(0, 0), 3.0)});
@@ -111,7 +112,7 @@ TEST(Circular_polygons, sum_with_a_hole_and_a_difference)
   EXPECT_GT(inside, 30);
 }
 
-// Free curves: all vertices and middles of edges have the distance of the offset from the curves, up to the error, and arcs are fewer than chords.
+// Free curves: all vertices have the distance of the offset from the curves, the area is that of fine chords, and arcs are fewer than chords.
 TEST(Circular_polygons, offset_of_free_curves)
 {
   const std::vector<Curve> curves{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 5}, {5, -4}, {7, 2}}), SC::bezier_curve(std::vector<Point>{{7, 2}, {4, 9}, {-3, 4}, {0, 0}})};

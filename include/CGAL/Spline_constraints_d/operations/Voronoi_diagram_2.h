@@ -94,7 +94,7 @@ public:
     Point point;                        ///< where it is, rounded; if it is at infinity, no point
     double radius;                      ///< the distance from the sites
     std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
-    std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise
+    std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise; one, if there are no edges
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
   };

@@ -184,6 +184,14 @@ void label_faces(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2
   }
 }
 
+template <SplineKernel Kernel>
+void label_records(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+{
+  label_vertices(diagram, result);
+  label_halfedges(diagram, result);
+  label_faces(diagram, result);
+}
+
 } // namespace internal
 
 /*!
@@ -208,9 +216,7 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& di
   if (!(most_radius > 0 && std::isfinite(most_radius)))
     throw Invalid_input("to_arrangement: the radius must be positive and finite");
   auto result = internal::refined_arrangement(diagram, error, most_radius);
-  internal::label_vertices(diagram, result);
-  internal::label_halfedges(diagram, result);
-  internal::label_faces(diagram, result);
+  internal::label_records(diagram, result);
   return result;
 }
 
@@ -240,9 +246,7 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& di
   const double diameter = std::hypot(both.xmax() - both.xmin(), both.ymax() - both.ymin());   // no point of the box has a larger distance from that site
   auto result = internal::refined_arrangement(diagram, error, 2 * diameter);
   internal::cut_at(box, diagram.edges().size(), result.arrangement);
-  internal::label_vertices(diagram, result);
-  internal::label_halfedges(diagram, result);
-  internal::label_faces(diagram, result);
+  internal::label_records(diagram, result);
   return result;
 }
 

@@ -25,6 +25,15 @@ Exact_rational exact_dot(const Exact_vector<d>& a, const Exact_vector<d>& b)
   return result;
 }
 
+template <std::size_t d>
+Exact_vector<d> exact_difference(const Exact_vector<d>& a, const Exact_vector<d>& b)
+{
+  Exact_vector<d> result;
+  for (std::size_t i = 0; i < d; ++i)
+    result[i] = Exact_rational(a[i] - b[i]);
+  return result;
+}
+
 inline Exact_rational exact_cross(const Exact_vector<2>& a, const Exact_vector<2>& b) { return Exact_rational(a[0] * b[1] - a[1] * b[0]); }
 
 inline Exact_vector<3> exact_cross(const Exact_vector<3>& a, const Exact_vector<3>& b)

@@ -74,7 +74,7 @@ public:
     if (!m_squared_radius || !m_graph.is_exact(end) || m_curvature.is_arc_scaled(end.arc))
       return false;
     const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.is_end ? 1 : 0));
-    return squared_distance_from(q) == *m_squared_radius && sign_of(exact_dot(difference(m_center, q), m_graph.direction(end))) == 0;
+    return squared_distance_from(q) == *m_squared_radius && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
   }
 
 private:
@@ -84,18 +84,16 @@ private:
 
   bool touches(const Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
 
-  static Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
-
   Exact_rational squared_distance_from(const Exact_pair& p) const
   {
-    const Exact_pair d = difference(m_center, p);
+    const Exact_pair d = exact_difference(m_center, p);
     return exact_dot(d, d);
   }
 
   Exact_rational squared_distance_from_line(const Site_arc_2& arc) const
   {
-    const Exact_pair a = arc.at(0), d = difference(arc.at(1), a);
-    const Exact_rational area = exact_cross(d, difference(m_center, a));
+    const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a);
+    const Exact_rational area = exact_cross(d, exact_difference(m_center, a));
     return Exact_rational(area * area / exact_dot(d, d));
   }
 

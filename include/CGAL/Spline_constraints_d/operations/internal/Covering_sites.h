@@ -34,7 +34,7 @@ public:
     for (const Disk_candidate& candidate : candidates)
       if (candidate.kind == Disk_candidate::Kind::VERTEX)
         add_vertex(candidate.index);
-      else if (candidate.kind == Disk_candidate::Kind::ARC && graph.is_exact({candidate.index, false}) && graph.is_exact({candidate.index, true})) {
+      else if (candidate.kind == Disk_candidate::Kind::ARC && (m_front.is_fan || candidate.index != m_front.object) && graph.is_exact({candidate.index, false}) && graph.is_exact({candidate.index, true})) {
         add_vertex(graph.vertex_of({candidate.index, false}));
         add_vertex(graph.vertex_of({candidate.index, true}));
         if (graph.arcs()[candidate.index].is_straight())
@@ -56,11 +56,11 @@ public:
   bool touches_at_end(bool end, std::size_t vertex) const { return sign_of_reach(Exact_rational(end ? 1 : 0), vertex) == 0; }
 
 private:
-  static Exact_pair way(const Exact_pair& from, const Exact_pair& to) { return {Exact_rational(to[0] - from[0]), Exact_rational(to[1] - from[1])}; }
-
+  // Not one of the front, which its disks touch all the same.
   void add_vertex(std::size_t vertex)
   {
-    if (m_graph.vertices()[vertex].is_exact && !(m_front.is_fan && m_front.object == vertex))
+    const bool is_own = m_front.is_fan ? vertex == m_front.object : vertex == m_graph.vertex_of({m_front.object, false}) || vertex == m_graph.vertex_of({m_front.object, true});
+    if (m_graph.vertices()[vertex].is_exact && !is_own)
       m_vertices.push_back(vertex);
   }
 
@@ -69,7 +69,7 @@ private:
   // Whether a vertex is in the disk, on its boundary or outside: 1, 0, -1.
   int sign_of_reach(const Exact_rational& u, std::size_t vertex) const
   {
-    const Exact_pair n = m_graph.exact_normal(m_front, u), d = way(point(u), m_graph.vertices()[vertex].exact_point);
+    const Exact_pair n = m_graph.exact_normal(m_front, u), d = exact_difference(m_graph.vertices()[vertex].exact_point, point(u));
     const Exact_rational along = 2 * m_radius * exact_dot(n, d), dd = exact_dot(d, d);
     return sign_of(along) < 0 ? -1 : sign_of(Exact_rational(along * along - dd * dd * exact_dot(n, n)));
   }
@@ -85,12 +85,12 @@ private:
   {
     if (m_front.is_fan)
       return false;
-    const Exact_pair n = m_graph.exact_normal(m_front, u), p = point(u), a = m_graph.arcs()[segment].at(0), d = way(a, m_graph.arcs()[segment].at(1));
+    const Exact_pair n = m_graph.exact_normal(m_front, u), p = point(u), a = m_graph.arcs()[segment].at(0), d = exact_difference(m_graph.arcs()[segment].at(1), a);
     const auto length = rational_square_root(exact_dot(n, n));
     if (!length)
       return false;
     const Exact_rational scale = m_radius / *length;
-    const Exact_pair to_center = way(a, {Exact_rational(p[0] + scale * n[0]), Exact_rational(p[1] + scale * n[1])});
+    const Exact_pair to_center = exact_difference(Exact_pair{Exact_rational(p[0] + scale * n[0]), Exact_rational(p[1] + scale * n[1])}, a);
     const Exact_rational along = exact_dot(d, to_center), across = exact_cross(d, to_center), dd = exact_dot(d, d);
     return sign_of(along) >= 0 && along <= dd && across * across <= m_radius * m_radius * dd;
   }

@@ -106,10 +106,10 @@ private:
   template <class Kernel>
   static void append_samples_of(const Hull_piece_2& piece, const Exact_rational& error, std::vector<typename Kernel::Point_2>& samples)
   {
-    const Exact_pair chord = difference(piece.end(), piece.begin());
+    const Exact_pair chord = exact_difference(piece.end(), piece.begin());
     const Exact_rational squared_length = exact_dot(chord, chord);
     const bool is_close = std::all_of(piece.points().begin(), piece.points().end(), [&](const Exact_pair& point) {
-      const Exact_pair arm = difference(point, piece.begin());
+      const Exact_pair arm = exact_difference(point, piece.begin());
       const Exact_rational height = exact_cross(chord, arm), along = exact_dot(chord, arm);
       return height * height <= error * error * squared_length && along >= 0 && along <= squared_length;
     });

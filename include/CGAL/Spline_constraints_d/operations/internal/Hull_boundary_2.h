@@ -129,7 +129,7 @@ private:
   // Whether a point is on the right of an edge; or next to it on the same line, where the polygon is a segment or a point.
   bool is_beyond(std::size_t edge, const Exact_pair& point) const
   {
-    const Exact_pair side = difference(vertex(edge + 1), vertex(edge)), arm = difference(point, vertex(edge));
+    const Exact_pair side = exact_difference(vertex(edge + 1), vertex(edge)), arm = exact_difference(point, vertex(edge));
     const int turn = sign_of(exact_cross(side, arm));
     if (turn != 0 || m_polygon.size() > 2)
       return turn < 0;
@@ -171,17 +171,17 @@ private:
   // Normals of the tangents of pieces at a vertex, and two between those of its edges: one is good at flat vertices, and the other one at acute ones.
   std::vector<Exact_pair> possible_normals(std::size_t i) const
   {
-    const Exact_pair &point = vertex(i), before = difference(point, vertex(i + m_polygon.size() - 1)), after = difference(vertex(i + 1), point);
+    const Exact_pair &point = vertex(i), before = exact_difference(point, vertex(i + m_polygon.size() - 1)), after = exact_difference(vertex(i + 1), point);
     std::vector<Exact_pair> result;
     for (std::size_t k : pieces_beside(i)) {
       const std::vector<Exact_pair>& points = m_pieces[k].points();
       for (const auto& [end, next] : {std::pair(points.front(), points[1]), std::pair(points.back(), points[points.size() - 2])})
         if (end == point) {
-          result.push_back(normal_on_the_right(difference(next, point)));
-          result.push_back(normal_on_the_right(difference(point, next)));
+          result.push_back(normal_on_the_right(exact_difference(next, point)));
+          result.push_back(normal_on_the_right(exact_difference(point, next)));
         }
     }
-    const Exact_pair along = sum(scaled(before), scaled(after)), outward = difference(scaled(before), scaled(after));
+    const Exact_pair along = sum(scaled(before), scaled(after)), outward = exact_difference(scaled(before), scaled(after));
     result.push_back(normal_on_the_right(along));
     result.push_back(outward);
     return result;
@@ -201,7 +201,7 @@ private:
     const std::vector<std::size_t> pieces = pieces_beside(i);
     if (normal == Exact_pair{0, 0})
       return pieces.empty();
-    const auto is_not_above = [&](const Exact_pair& point) { return exact_dot(difference(point, vertex(i)), normal) <= 0; };
+    const auto is_not_above = [&](const Exact_pair& point) { return exact_dot(exact_difference(point, vertex(i)), normal) <= 0; };
     return is_not_above(vertex(i + 1)) && is_not_above(vertex(i + m_polygon.size() - 1)) &&
            std::all_of(pieces.begin(), pieces.end(), [&](std::size_t k) { return std::all_of(m_pieces[k].points().begin(), m_pieces[k].points().end(), is_not_above); });
   }

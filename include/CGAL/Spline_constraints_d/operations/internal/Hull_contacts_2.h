@@ -187,9 +187,9 @@ private:
     if (operand.piece == nullptr)
       return {Rational_interval(exact_dot(operand.point, normal)), std::nullopt};
     const std::vector<Exact_pair>& points = operand.piece->points();
-    if (exact_dot(difference(points[1], points[0]), normal) <= 0)
+    if (exact_dot(exact_difference(points[1], points[0]), normal) <= 0)
       return {Rational_interval(exact_dot(points.front(), normal)), std::nullopt};
-    if (exact_dot(difference(points.back(), points[points.size() - 2]), normal) >= 0)
+    if (exact_dot(exact_difference(points.back(), points[points.size() - 2]), normal) >= 0)
       return {Rational_interval(exact_dot(points.back(), normal)), std::nullopt};
     Rational_interval height(exact_dot(points[0], normal));
     for (const Exact_pair& point : points)

@@ -18,8 +18,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline Exact_pair difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
-
 inline Exact_pair sum(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] + b[0]), Exact_rational(a[1] + b[1])}; }
 inline Exact_pair normal_on_the_right(const Exact_pair& v) { return {v[1], Exact_rational(-v[0])}; }
 

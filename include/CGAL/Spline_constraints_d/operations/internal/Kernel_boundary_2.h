@@ -151,7 +151,7 @@ private:
   bool change_once(const Ray& first, const Ray& second) const
   {
     const std::size_t i = *first.highest, j = *second.highest;
-    const Exact_pair along = difference(second.direction, first.direction);
+    const Exact_pair along = exact_difference(second.direction, first.direction);
     if (m_elements[i].is_line() || m_elements[j].is_line())   // convex, and linear
       return true;
     return m_elements[j].height(first.summits[j]->range, along).lower >= m_elements[i].height(second.summits[i]->range, along).upper;

@@ -57,7 +57,7 @@ public:
   const std::vector<Exact_pair>& polygon() const { return m_polygon; }
   bool is_flat() const
   {
-    return m_polygon.empty() || std::all_of(m_polygon.begin(), m_polygon.end(), [&](const Exact_pair& p) { return exact_cross(difference(m_polygon[1 % m_polygon.size()], m_polygon[0]), difference(p, m_polygon[0])) == 0; });
+    return m_polygon.empty() || std::all_of(m_polygon.begin(), m_polygon.end(), [&](const Exact_pair& p) { return exact_cross(exact_difference(m_polygon[1 % m_polygon.size()], m_polygon[0]), exact_difference(p, m_polygon[0])) == 0; });
   }
 
 private:
@@ -67,7 +67,7 @@ private:
     Exact_pair sum{0, 0};
     Exact_rational twice_area(0);
     for (std::size_t i = 1; i + 1 < m_polygon.size(); ++i) {
-      const Exact_pair p = difference(m_polygon[i], m_polygon[0]), q = difference(m_polygon[i + 1], m_polygon[0]);
+      const Exact_pair p = exact_difference(m_polygon[i], m_polygon[0]), q = exact_difference(m_polygon[i + 1], m_polygon[0]);
       const Exact_rational area = exact_cross(p, q);
       twice_area += area;
       for (std::size_t k = 0; k < 2; ++k)

@@ -72,8 +72,8 @@ public:
     if (m_front.is_fan || !own_arc().circle() || !are_ends_exact(m_front.object))
       return false;
     const auto& [center, square] = *own_arc().circle();
-    const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_front, 0), way(center, own_arc().at(0)))) < 0;
-    const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(way(center, x), way(center, y))) == 0 && sign_of(exact_dot(way(center, x), way(center, y))) > 0; };
+    const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_front, 0), exact_difference(own_arc().at(0), center))) < 0;
+    const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(exact_difference(x, center), exact_difference(y, center))) == 0 && sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0; };
     const auto is_opposite = [&](std::size_t index) {
       const Site_arc_2& arc = m_graph.arcs()[index];
       if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside || !are_ends_exact(index))
@@ -104,8 +104,6 @@ public:
   }
 
 private:
-  static Exact_pair way(const Exact_pair& from, const Exact_pair& to) { return {Exact_rational(to[0] - from[0]), Exact_rational(to[1] - from[1])}; }
-
   const Site_arc_2& own_arc() const { return m_graph.arcs()[m_front.object]; }
   bool is_segment() const { return !m_front.is_fan && own_arc().is_segment(); }
   bool are_ends_exact(std::size_t arc) const { return m_graph.is_exact({arc, false}) && m_graph.is_exact({arc, true}); }
@@ -119,7 +117,7 @@ private:
     return std::all_of(result[2].begin(), result[2].end(), [](const Exact_rational& w) { return sign_of(w) > 0; }) ? std::optional(result) : std::nullopt;
   }
 
-  static int side_of_chord(const Site_arc_2& arc) { return sign_of(exact_cross(way(arc.at(0), arc.at(1)), way(arc.at(0), arc.at(Exact_rational(1) / 2)))); }
+  static int side_of_chord(const Site_arc_2& arc) { return sign_of(exact_cross(exact_difference(arc.at(1), arc.at(0)), exact_difference(arc.at(Exact_rational(1) / 2), arc.at(0)))); }
 
   bool is_behind_tangent(bool end) const
   {
@@ -198,7 +196,7 @@ private:
     const Exact_pair n = m_graph.exact_normal(m_front, 0);
     const auto ratio = rational_square_root(Exact_rational(m_square / (4 * exact_dot(n, n))));
     return ratio && std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
-      const Exact_pair &p = m_graph.exact_point(m_front, end), outward = way(m_graph.exact_point(m_front, !end), p), center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
+      const Exact_pair &p = m_graph.exact_point(m_front, end), outward = exact_difference(p, m_graph.exact_point(m_front, !end)), center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
       for (std::size_t i = 0; i < c[2].size(); ++i)
         if (sign_of(exact_dot(outward, Exact_pair{Exact_rational(c[0][i] - center[0] * c[2][i]), Exact_rational(c[1][i] - center[1] * c[2][i])})) < 0)
           return false;
@@ -213,7 +211,7 @@ private:
     const std::vector<int> sides = sides_of_circle(arc, p, m_square);
     if (!arc.is_straight())
       return !is_on_border(sides) && add_ties(touching_ends(arc, sides));
-    const Exact_pair a = arc.at(0), d = way(a, arc.at(1)), to_p = way(a, p);
+    const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a), to_p = exact_difference(p, a);
     const Exact_rational cross = exact_cross(d, to_p), dd = exact_dot(d, d), t = exact_dot(d, to_p) / dd;
     const int side = sign_of(Exact_rational(cross * cross - m_square * dd));
     if (side < 0)
@@ -230,7 +228,7 @@ private:
     const Exact_pair& q = m_graph.vertices()[vertex].exact_point;
     const auto points = [&](int side) { return side < 0 ? std::nullopt : std::optional(side == 0 ? Points{q} : Points()); };
     if (m_front.is_fan) {
-      const Exact_pair d = way(m_graph.vertices()[m_front.object].exact_point, q);
+      const Exact_pair d = exact_difference(q, m_graph.vertices()[m_front.object].exact_point);
       return add_ties(points(sign_of(Exact_rational(exact_dot(d, d) - m_square))));
     }
     return std::any_of(m_ends.begin(), m_ends.end(), [&](bool end) { return add_ties(points(side_of_parallel(end, q[0], q[1], 1)), end); });
@@ -253,7 +251,7 @@ private:
 
   void add_tie_of_fan(const Exact_pair& y)
   {
-    const Exact_pair d = way(m_graph.vertices()[m_front.object].exact_point, y);
+    const Exact_pair d = exact_difference(y, m_graph.vertices()[m_front.object].exact_point);
     const auto& [from, to] = m_front.exact_normals;
     const Exact_rational a = exact_cross(d, from), b = exact_cross(to, d);   // clockwise from the first to the second one
     if (sign_of(a) < 0 || sign_of(b) < 0 || sign_of(Exact_rational(a + b)) == 0 || (sign_of(exact_dot(d, from)) <= 0 && sign_of(exact_dot(d, to)) <= 0))
@@ -266,16 +264,16 @@ private:
 
   void add_tie_of_segment(const Exact_pair& y, const Exact_pair& z)
   {
-    const Exact_pair a = own_arc().at(0), d = way(a, own_arc().at(1));
-    const auto parameter = [&](const Exact_pair& point) { return Exact_rational(exact_dot(d, way(a, point)) / exact_dot(d, d)); };
+    const Exact_pair a = own_arc().at(0), d = exact_difference(own_arc().at(1), a);
+    const auto parameter = [&](const Exact_pair& point) { return Exact_rational(exact_dot(d, exact_difference(point, a)) / exact_dot(d, d)); };
     const Exact_rational first = parameter(y), last = parameter(z);
-    m_ties.push_back({(std::min)(first, last), (std::max)(first, last), half(way(own_arc().at(first), y))});
+    m_ties.push_back({(std::min)(first, last), (std::max)(first, last), half(exact_difference(y, own_arc().at(first)))});
   }
 
   void add_tie_at_end(const Exact_pair& y, const Exact_pair& z, bool end)
   {
-    const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = way(p, y);
-    if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, way(p, z))) > 0)
+    const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
+    if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, exact_difference(z, p))) > 0)
       return;
     const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n)), u(end ? 1 : 0);
     m_ties.push_back({u, u, {Exact_rational(share * n[0]), Exact_rational(share * n[1])}});

@@ -24,8 +24,6 @@ namespace internal {
 
 inline Interval cross(const Interval_pair& a, const Interval_pair& b) { return dot(turned_left(a), b); }
 
-inline Exact_pair exact_difference(const Exact_pair& a, const Exact_pair& b) { return {Exact_rational(a[0] - b[0]), Exact_rational(a[1] - b[1])}; }
-
 // What moves an arc to another one, possibly with the opposite direction.
 inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc_2& b, bool are_opposite)
 {
@@ -179,9 +177,7 @@ private:
     const int sign = certain_sign(jet.turn());
     if (sign != 0 || range.width() > most_width || (range.begin != 0 && range.end != 1))
       return sign;
-    const auto& [x, y, w] = arc.piece().coordinates;
-    const auto derivative = [&w](const Exact_tensor& c) { return c.derivative(0) * w - c * w.derivative(0); };
-    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : std::array<Exact_tensor, 2>{derivative(x), derivative(y)};
+    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
     const Exact_tensor turn = (d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0)).restricted(0, to_rational(range.begin), to_rational(range.end));
     const std::vector<Exact_rational>& c = turn.coefficients();
     const int inner = sign_of(range.begin == 0 ? c.back() : c.front());

@@ -169,11 +169,11 @@ private:
   {
     std::vector<Exact_pair> points;
     if (range.first == range.second)
-      points.push_back(difference(m_parts.point(curve, range.first), viewpoint));
+      points.push_back(exact_difference(m_parts.point(curve, range.first), viewpoint));
     else
       for (const Hull_piece_2& piece : m_parts.between(curve, range.first, range.second))
         for (const Exact_pair& point : piece.points())
-          points.push_back(difference(point, viewpoint));
+          points.push_back(exact_difference(point, viewpoint));
     if (points.size() == 1 && points[0] == Exact_pair{0, 0})   // there, arcs end
       return;
     for (int quadrant = 0; quadrant < 4; ++quadrant) {

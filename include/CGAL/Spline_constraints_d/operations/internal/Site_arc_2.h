@@ -241,6 +241,15 @@ public:
   */
   bool has_singular_end() const { return m_zeros[0] + m_zeros[1] > 0; }
 
+  // X' w^2; of a polynomial arc, X'.
+  std::array<Bernstein_tensor<Exact_rational>, 2> derivative_numerators() const
+  {
+    const auto& [x, y, w] = m_piece.coordinates;
+    if (m_is_polynomial)
+      return {x.derivative(0), y.derivative(0)};
+    return {x.derivative(0) * w - x * w.derivative(0), y.derivative(0) * w - y * w.derivative(0)};
+  }
+
   // D, of an arc with such an end.
   const std::array<Bernstein_tensor<Exact_rational>, 2>& tangent() const { return m_tangent; }
 
@@ -338,9 +347,7 @@ private:
     const auto is_zero = [](const Exact_pair& d) { return sign_of(d[0]) == 0 && sign_of(d[1]) == 0; };
     if (!is_zero(direction_at(0)) && !is_zero(direction_at(1)))
       return;
-    const Bernstein_tensor<Exact_rational>& w = m_piece.coordinates[2];
-    const auto direction = [&](const Bernstein_tensor<Exact_rational>& c) { return m_is_polynomial ? c.derivative(0) : c.derivative(0) * w - c * w.derivative(0); };
-    const Bernstein_tensor<Exact_rational> x = direction(m_piece.coordinates[0]), y = direction(m_piece.coordinates[1]);
+    const auto [x, y] = derivative_numerators();
     const std::vector<int> degree{(std::max)(x.degree(0), y.degree(0))};
     std::array<std::vector<Exact_rational>, 2> b{x.elevated(degree).coefficients(), y.elevated(degree).coefficients()};
     for (const std::size_t end : {0, 1})
