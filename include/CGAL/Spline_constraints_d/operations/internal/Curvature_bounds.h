@@ -14,16 +14,21 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the front it touches and by that of the point v it passes through.
+/*
+Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the front it touches and by that of the point v it passes through.
+
+Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
+*/
 struct Curvature_bounds
 {
   Interval value = any_number(), du = any_number(), dv = any_number(), dvv = any_number(), duv = any_number();
+  Interval factor{1};             // m
   bool is_below_vertex = false;   // another point, a common vertex of front and arc, has a larger curvature, or all are negative
 };
 
 inline Curvature_bounds hull(const Curvature_bounds& a, const Curvature_bounds& b)
 {
-  return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), a.is_below_vertex && b.is_below_vertex};
+  return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), hull(a.factor, b.factor), a.is_below_vertex && b.is_below_vertex};
 }
 
 // A part of a front, with enclosures.
@@ -42,14 +47,16 @@ inline Curvature_bounds common_part(const Curvature_bounds& a, const Curvature_b
   result.dv = common_part(a.dv, b.dv);
   result.dvv = common_part(a.dvv, b.dvv);
   result.duv = common_part(a.duv, b.duv);
+  result.factor = common_part(a.factor, b.factor);
   result.is_below_vertex = a.is_below_vertex || b.is_below_vertex;
   return result;
 }
 
-// f / q and its derivatives.
+// f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
 struct Curvature_quotient
 {
   Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
+  Interval factor{1};   // m
 
   // The common part with the mean value forms around the middle of the ranges.
   Curvature_quotient around(const Curvature_quotient& middle, const Interval& shift_u, const Interval& shift_v) const
@@ -57,20 +64,21 @@ struct Curvature_quotient
     Curvature_quotient k = *this;
     k.fv = common_part(fv, middle.fv + fuv * shift_u + fvv * shift_v);
     k.qv = common_part(qv, middle.qv + quv * shift_u + qvv * shift_v);
-    k.f = common_part(f, middle.f + fu * shift_u + k.fv * shift_v);
-    k.q = common_part(q, middle.q + qu * shift_u + k.qv * shift_v);
+    k.f = common_part(f, middle.f + fu * shift_u + factor * k.fv * shift_v);
+    k.q = common_part(q, middle.q + qu * shift_u + factor * k.qv * shift_v);
     return k;
   }
 
   Curvature_bounds bounds() const
   {
     Curvature_bounds k;
+    k.factor = factor;
     if (!(q.inf() > 0))
       return k;
     k.value = f / q;
     k.du = (fu - k.value * qu) / q;
     k.dv = (fv - k.value * qv) / q;
-    k.dvv = (fvv - k.value * qvv - Interval(2) * k.dv * qv) / q;
+    k.dvv = (fvv - k.value * qvv - Interval(2) * factor * k.dv * qv) / q;
     k.duv = (fuv - k.du * qv - k.dv * qu - k.value * quv) / q;
     return k;
   }
@@ -81,6 +89,7 @@ struct Curvature_quotient
   Curvature_bounds positive_zero(const Interval& m, const Interval& mu) const
   {
     Curvature_bounds k;
+    k.factor = factor;
     const Interval two(2), square(0, (std::max)(q.sup(), 0.0)), r = CGAL::sqrt(CGAL::square(f) + Interval(4) * m * common_part(q, square));
     const double most = (r - f).sup();   // 0 where the points are the same
     k.value = Interval(most > 0 ? (two * m / Interval(most)).inf() : std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity());
@@ -92,7 +101,7 @@ struct Curvature_quotient
     const Interval kk = CGAL::square(k.value);
     k.du = (fu * k.value - qu * kk + mu) / r;
     k.dv = (fv - qv * k.value) * k.value / r;
-    k.dvv = (fvv * k.value - qvv * kk - two * (two * qv * k.value - fv) * k.dv - two * q * CGAL::square(k.dv)) / r;
+    k.dvv = (fvv * k.value - qvv * kk - factor * (two * (two * qv * k.value - fv) * k.dv + two * q * CGAL::square(k.dv))) / r;
     k.duv = (fuv * k.value - quv * kk - (two * qu * k.value - fu) * k.dv - (two * qv * k.value - fv) * k.du - two * q * k.du * k.dv) / r;
     return k;
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Cusps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Singular_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
 
 #include <algorithm>
@@ -21,19 +22,6 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// What maximal disks may touch: a node of the tree, a range of an arc, or an isolated vertex.
-struct Disk_candidate
-{
-  enum class Kind { NODE, ARC, VERTEX };
-
-  Kind kind;
-  std::size_t index;
-  Range range{};
-  Curve_jet jet{};              // of an arc
-  Curvature_bounds bounds{};    // over a part of a front and the range
-  Interval at_middle = any_number();   // the curvature for the middles of both
-};
-
 /*
 The candidates for the maximal disks of a front: those whose curvature may reach the largest one that is known to be attained.
 */
@@ -44,12 +32,13 @@ class Disk_candidates
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
   Disk_curvature m_curvature;
+  Singular_ends m_singular_ends;
   const Cusps_2* m_cusps;   // none, or those that are known
 
 public:
   static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
 
-  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps) {}
+  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
 
   std::vector<Disk_candidate> all() const
   {
@@ -61,9 +50,9 @@ public:
 
   /*
   Removes candidates that cannot be touched over a part of the front, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
-  or its highest point is its end, which it shares with a neighbour. Returns a curvature that is attained for all disks.
+  or its highest point is its end, which it shares with a neighbour; or it is behind the front. Returns a curvature that is attained for all disks, of which one may be known.
   */
-  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates) const
+  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const
   {
     const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
     const Interval shift = part.range.interval() - Interval(part.range.middle());
@@ -71,8 +60,9 @@ public:
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
+    attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
     const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(part, candidate.index, candidate.range, candidate.jet); };
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || is_hidden(candidate) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
     const auto add_parts = [&] {
@@ -149,7 +139,7 @@ private:
     const Interval difference = candidate.at_middle - attained.at_middle + (k.du - attained.slope) * shift;
     if (candidate.kind == Disk_candidate::Kind::VERTEX)
       return difference.sup() < 0;
-    return (difference + k.dv * (candidate.range.interval() - Interval(candidate.range.middle()))).sup() < 0;
+    return (difference + k.factor * k.dv * (candidate.range.interval() - Interval(candidate.range.middle()))).sup() < 0;
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
@@ -175,7 +165,7 @@ private:
       const Interval shift_v = candidate.range.interval() - Interval(v);
       candidate.at_middle = center.value;
       slope = m_curvature(part, candidate.index, point, jet, middle, jet).du;
-      k.value = common_part(k.value, center.value + k.du * shift_u + k.dv * shift_v);
+      k.value = common_part(k.value, center.value + k.du * shift_u + k.factor * k.dv * shift_v);
       k.dv = common_part(k.dv, center.dv + k.duv * shift_u + k.dvv * shift_v);
     }
     if (candidate.at_middle.inf() > attained.at_middle.inf() && std::isfinite(slope.sup() - slope.inf())) {

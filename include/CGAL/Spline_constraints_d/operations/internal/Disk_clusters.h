@@ -169,7 +169,7 @@ private:
     return order == 0 ? std::nullopt : std::optional(order > 0);
   }
 
-  // Calls visit(slope, range of the distance from the end of the front, range of that from the end of the arc) for the ends that the part and a cluster reach, until that returns true.
+  // Calls visit(slope, end of the front, range of the distance from that, end of the arc, range of the distance from that) for the ends that the part and a cluster reach, until that returns true.
   template <class Visit>
   bool is_any_end(const Cluster& cluster, const Visit& visit) const
   {
@@ -177,13 +177,16 @@ private:
     for (const bool front_end : {false, true})
       for (const bool end : {false, true}) {
         const Range a = from(m_part.range, front_end);
-        if (cluster.touches(end) && is_decided_by_polynomials(a, front_end, {cluster.arc, end}) && visit(m_slopes(front_end, {cluster.arc, end}), a, from(cluster.range, end), end))
+        if (!cluster.touches(end) || !is_decided_by_polynomials(a, front_end, {cluster.arc, end}))
+          continue;
+        const Disk_slope& slope = m_slopes(front_end, {cluster.arc, end});
+        if (visit(slope, front_end, a, end, from(cluster.range, end)) || (slope.has_powers() && visit(m_slopes(front_end, {cluster.arc, end}, false), front_end, a, end, from(cluster.range, end))))
           return true;
       }
     return false;
   }
 
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; on the circle of the front, in tangents of it; and near a tie.
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; where the derivative is zero; on the circle of the front, in tangents of it; and near a tie.
   bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
   {
     if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
@@ -191,10 +194,12 @@ private:
     const bool is_near = distance.begin <= most_gap * distance.width();
     const std::size_t vertex = m_graph.vertex_of(end);
     if (m_front.is_fan)
-      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
+      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
     const Arc_end own{m_front.object, front_end};
-    if (own == end || is_end_after(own, end))
-      return own != end;
+    if (own == end)
+      return is_near && !m_graph.is_regular(end);
+    if (is_end_after(own, end))
+      return true;
     if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
       return true;
     return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
@@ -216,12 +221,14 @@ private:
 
   bool has_known_slopes(Cluster& cluster) const
   {
-    return is_any_end(cluster, [&](const Disk_slope& slope, const Range& a, const Range& b, bool end) {
+    return is_any_end(cluster, [&](const Disk_slope& slope, bool front_end, const Range& a, bool end, const Range& b) {
       const Path_signs signs = slope.slopes(a, b, m_least);
       if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
         return false;
       cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
       cluster.least = m_least;
+      if (const double share = slope.share_of_largest(a); share > 0)
+        cluster.corner = {front_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
       const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
       cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
       cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
@@ -232,7 +239,7 @@ private:
   // Whether all disks through a cluster are half-planes or larger.
   bool is_below_front(const Cluster& cluster) const
   {
-    return is_any_end(cluster, [](const Disk_slope& slope, const Range& a, const Range& b, bool) { return slope.is_value_negative(a, b); });
+    return is_any_end(cluster, [](const Disk_slope& slope, bool, const Range& a, bool, const Range& b) { return slope.is_value_negative(a, b); });
   }
 
   // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one. In tangents of the circle of the front it may do so on both sides.

@@ -76,8 +76,9 @@ public:
   {
     const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
-    const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, {range.middle(), range.middle()}, jet_in_middle), shift_u, shift_v)
-                                          : quotient(part.jet, jet).around(quotient(middle.jet, jet_in_middle), shift_u, shift_v);
+    const Range at_middle{range.middle(), range.middle()};
+    const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, at_middle, jet_in_middle), shift_u, shift_v)
+                                          : quotient(part.jet, arc, range, jet, jet[0] - part.jet.point).around(quotient(middle.jet, arc, at_middle, jet_in_middle, jet_in_middle[0] - middle.jet.point), shift_u, shift_v);
     return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_common_arc_and_vertices(k.bounds(), part, arc, range);
   }
 
@@ -85,11 +86,10 @@ public:
   Curvature_bounds operator()(const Front_part& part, std::size_t vertex) const
   {
     const Front& front = m_graph.fronts()[part.front];
-    Curve_jet jet{};
-    jet[0] = m_graph.vertices()[vertex].point;
+    const Interval_pair zero{Interval(0), Interval(0)};
     if (is_vertex_scaled(vertex))
-      return of_scaled_disk(quotient(part.jet, jet), part);
-    Curvature_bounds result = quotient(part.jet, jet, way(part, vertex)).bounds();
+      return of_scaled_disk(quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
+    Curvature_bounds result = quotient(part.jet, way(part, vertex), zero, zero, Interval(1)).bounds();
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
@@ -102,14 +102,16 @@ public:
   {
     const Front& front = m_graph.fronts()[part.front];
     const auto& [x, xu, n, nu] = part.jet;
-    if (!front.is_fan && m_graph.arcs()[front.object].has_singular_end())
-      return any_number();   // its normals are not those of the derivative
-    Curve_jet jet{};   // of a fan all derivatives are zero, and its normal is linear
-    if (!front.is_fan)
-      jet = m_graph.arcs()[front.object].jet(part.range, 3);
+    Interval_pair xuu{Interval(0), Interval(0)}, nuu = xuu;   // of a fan all derivatives are zero, and its normal is linear
+    if (!front.is_fan) {
+      const Site_arc_2& arc = m_graph.arcs()[front.object];
+      const Curve_jet jet = arc.jet(part.range, 3);
+      xuu = jet[2];
+      nuu = turned_left(arc.has_singular_end() ? arc.second_derivative_of_tangent(part.range) : jet[3]);
+    }
     const Interval two(2), side(front.is_reversed ? -1 : 1);
     const Interval_pair d = box - x;
-    const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, jet[2])), fuu = two * (side * dot(turned_left(jet[3]), d) - dot(nu, xu));
+    const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, xuu)), fuu = two * (side * dot(nuu, d) - dot(nu, xu));
     return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number();
   }
 
@@ -155,7 +157,7 @@ private:
   {
     const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
     if (vertex.ends.size() > 2 && m_graph.is_exact(end)) {
-      const Interval_pair tangent = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1];
+      const Interval_pair tangent = m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()});
       const int side = certain_sign(dot(turned_left(tangent), part.jet.point - vertex.point)) * (end.is_end ? 1 : -1);
       if (const auto beside = side != 0 ? m_graph.continuation_beside(end, side > 0) : std::nullopt)
         return beside;
@@ -177,15 +179,36 @@ private:
   {
     const Front& front = m_graph.fronts()[part.front];
     if (!front.is_fan && front.object == arc)
-      result = common_part(result, within_arc(part, arc, range));
+      add_by_tangent(result, within_arc(part, arc, range), arc, range);
     for (const bool is_end : {false, true})
       at_common_vertex(result, part, front, {arc, is_end}, range);
     return result;
   }
 
-  Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, jet, way(part, arc, range, jet)); }
+  // What more is known where derivatives are those by v itself.
+  void add_by_tangent(Curvature_bounds& result, Curvature_bounds more, std::size_t arc, const Range& range) const
+  {
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    if (y.has_singular_end()) {
+      more.factor = y.tangent_factor(range);
+      const bool is_divided = more.factor.inf() > 0;
+      more.dvv = is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number();
+      more.dv = is_divided ? more.dv / more.factor : any_number();
+      more.duv = is_divided ? more.duv / more.factor : any_number();
+    }
+    result = common_part(result, more);
+  }
 
-  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y) { return quotient(x, y, y[0] - x.point); }
+  Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, arc, range, jet, way(part, arc, range, jet)); }
+
+  Curvature_quotient quotient(const Front_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval_pair& way) const
+  {
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    if (!y.has_singular_end())
+      return quotient(x, way, jet[1], jet[2], Interval(1));
+    const auto [tangent, change] = y.tangent_jet(range);
+    return quotient(x, way, tangent, change, y.tangent_factor(range));
+  }
 
   // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
   Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
@@ -236,20 +259,22 @@ private:
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
-  static Curvature_quotient quotient(const Front_jet& x, const Curve_jet& y, const Interval_pair& d)
+  // For a point at the end of a way d, which moves with the derivative m D.
+  static Curvature_quotient quotient(const Front_jet& x, const Interval_pair& d, const Interval_pair& tangent, const Interval_pair& change, const Interval& factor)
   {
     const Interval two(2);
     Curvature_quotient k;
+    k.factor = factor;
     k.f = two * dot(x.normal, d);
     k.q = squared_norm(d);
     k.fu = two * dot(x.normal_derivative, d);   // the normal and the derivative of the point are perpendicular
     k.qu = -two * dot(d, x.point_derivative);
-    k.fv = two * dot(x.normal, y[1]);
-    k.qv = two * dot(d, y[1]);
-    k.fvv = two * dot(x.normal, y[2]);
-    k.qvv = two * (squared_norm(y[1]) + dot(d, y[2]));
-    k.fuv = two * dot(x.normal_derivative, y[1]);
-    k.quv = -two * dot(x.point_derivative, y[1]);
+    k.fv = two * dot(x.normal, tangent);
+    k.qv = two * dot(d, tangent);
+    k.fvv = two * dot(x.normal, change);
+    k.qvv = two * (factor * squared_norm(tangent) + dot(d, change));
+    k.fuv = two * dot(x.normal_derivative, tangent);
+    k.quv = -two * dot(x.point_derivative, tangent);
     return k;
   }
 
@@ -299,7 +324,7 @@ private:
         continue;
       const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
       const auto& continuation = m_graph.continuation(own);
-      if (continuation && continuation->end == end)
+      if (continuation && continuation->end == end && m_graph.is_regular(own) && m_graph.is_regular(end))
         result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *continuation, to_vertex));
       else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
         result.value = common_part(result.value, across_nearly_smooth_joint(part, own, *nearly, range));
@@ -348,37 +373,39 @@ private:
   // From an end of an arc, of the parameters of a range.
   static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - range.interval() : range.interval(); }
 
-  // The outgoing mean derivative of an arc between an end and the points of a range.
-  Interval_pair secant(const Arc_end& end, const Curve_jet& jet) const { return Interval(end.is_end ? -1 : 1) * jet[1]; }
-
   // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
   void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
   {
-    const Curve_jet y = m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 2);
-    const Interval_pair b = secant(end, y);
+    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
+    const Site_arc_2& arc = m_graph.arcs()[end.arc];
+    const Curve_jet y = arc.jet(to_vertex, 2);
+    const Interval_pair b = Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);   // the outgoing mean derivative, up to a positive factor
     if (dot(part.jet.normal, b).sup() < 0)
       result.value = common_part(result.value, number_of_sign(-1));
+    if (!m_graph.is_regular(end))
+      return;
     // The arc begins below the half-plane of the normal, if only by a small angle.
-    if (const Interval q = squared_norm(b); q.inf() > 0)
+    if (const Interval q = squared_norm(y[1]); q.inf() > 0)
       result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
     for (const bool k : {false, true})
       if (m_graph.is_perpendicular(front, k, end)) {
         const Fan_disks disks(m_graph, part, k, end, range);
-        result = common_part(result, disks.bounds());
+        Curvature_bounds more = disks.bounds();
         const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
         if (touches_vertex && disks.is_increasing())
-          result.dv = common_part(result.dv, end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min()) : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+          more.dv = common_part(more.dv, end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min()) : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+        add_by_tangent(result, more, end.arc, range);
       }
   }
 
   /*
   p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
-  <N, B> |D|^2 <= 2 s E <B, D>.
+  <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
   */
   void at_corner(Curvature_bounds& result, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
   {
-    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2), y = m_graph.arcs()[other.arc].jet(range, 1);
-    const Interval_pair d = Interval(-1) * secant(own, x), b = secant(other, y);
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
+    const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1], b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
     const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
     if (!(nb.sup() < 0))
       return;

@@ -141,20 +141,32 @@ public:
   }
 
 private:
-  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, there is only the point.
+  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, or where one of both has infinite curvature, there is only the point.
   std::optional<Disk> disk_in_corner(const Part& part, double u) const
   {
-    if (front(part).is_fan || (u != 0 && u != 1) || stretch(part).contact.kind != Disk_contact::Kind::ARC)
+    if ((u != 0 && u != 1) || stretch(part).contact.kind != Disk_contact::Kind::ARC)
       return std::nullopt;
-    const Site_graph_2::Vertex& vertex = m_graph.vertices()[m_graph.vertex_of({front(part).object, u == 1})];
+    const bool is_fan = front(part).is_fan;
+    const Arc_end own{front(part).object, u == 1};
+    const Site_graph_2::Vertex& vertex = m_graph.vertices()[is_fan ? front(part).object : m_graph.vertex_of(own)];
     const Interval_pair normal = m_graph.front_jet(front(part), {u, u}).normal;
-    const std::optional<Arc_end> across = m_graph.across_cusp(front(part), {front(part).object, u == 1});
+    const std::optional<Arc_end> across = is_fan ? std::nullopt : m_graph.across_cusp(front(part), own);
     for (const Arc_end& end : vertex.ends) {
       const double v = end.parameter();
-      if (end.arc == stretch(part).contact.index && (end == across || certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].jet({v, v}, 1)[1])) > 0))
+      if (end.arc != stretch(part).contact.index)
+        continue;
+      const int side = certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].direction_over({v, v})));
+      const bool is_corner = !is_fan && (end == across || side > 0), is_round = side == 0 && stretch(part).located(u).range.meets({v, v}) && (is_bent_infinitely(normal, end) || (!is_fan && is_bent_infinitely(normal, own)));
+      if (is_corner || is_round)
         return Disk{vertex.point, any_number(), {v, v}};
     }
     return std::nullopt;
+  }
+
+  // Whether an arc has infinite curvature in an end, toward the side of the normal.
+  bool is_bent_infinitely(const Interval_pair& normal, const Arc_end& end) const
+  {
+    return !m_graph.is_regular(end) && dot(normal, m_graph.arcs()[end.arc].tangent_jet({end.parameter(), end.parameter()})[1]).inf() > 0;
   }
 
   // That of the disk that touches a front in a point and passes through a point of an arc.

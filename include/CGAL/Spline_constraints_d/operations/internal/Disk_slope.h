@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -28,28 +30,38 @@ How the curvature k of a disk that touches a front in X(a) changes where the poi
   <N, Z>   and   <N, Y_b> |Z|^2 - 2 <N, Z> <Z, Y_b>.
 
 These decide what intervals cannot: where front and arc meet or join, and where the order of contacts is a tie at the end of the front, as with circles and their tangents.
+
+Where the derivative of an arc is zero in its end, Y_b = m D with m > 0 behind that, and D takes its place. Next to the end a distance there is as a power of the parameter: where front and arc meet, both parameters are replaced by powers of others, so that both distances are the same power of these. If the front is of that arc,
+Z has a factor b - a, k is a quotient of what <N, Z> and |Z|^2 are without (b - a)^2, and the derivative has the factor (b - a)^4.
 */
 class Disk_slope
 {
   using Polynomial_pair = std::array<Power_polynomial, 2>;
 
-  // A curve in homogeneous coordinates, and its derivative times the square of the weight.
+  // A curve in homogeneous coordinates, and its derivative times the square of the weight, without zeros in the ends.
   struct Polynomial_curve
   {
     Polynomial_pair point;
     Power_polynomial weight;
-    Polynomial_pair derivative;
-    Polynomial_pair tangent;   // without zeros of the derivative in the ends
+    Polynomial_pair tangent;
   };
 
+  bool m_is_singular;   // whether front and arc meet where a derivative is zero
+  bool m_has_positive_denominator = false;   // of k, if only as a square
   double m_scale = 1;   // of the parameter of the arc
+  int m_front_power = 1, m_arc_power = 1;   // of the variables of the polynomials, which the parameters are
   Blown_up_polynomial m_sign_of_value{Power_polynomial()}, m_slope{Power_polynomial()};
   Blown_up_polynomial m_numerator{Power_polynomial()}, m_denominator{Power_polynomial()};   // of k
 
 public:
-  Disk_slope(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end)
+  Disk_slope(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end, bool is_by_distance)
   {
-    m_scale = scale(graph, front, front_end, end);
+    const Arc_end own{front.object, front_end};
+    m_is_singular = (front.is_fan ? front.object : graph.vertex_of(own)) == graph.vertex_of(end) && !(graph.is_regular(end) && (front.is_fan || graph.is_regular(own)));
+    const bool is_own = !front.is_fan && own == end, is_own_singular = is_own && m_is_singular;
+    if (is_by_distance)
+      find_powers(graph, front, front_end, end);
+    m_scale = is_own ? 1 : scale(graph, front, front_end, end);
     const Polynomial_curve y = polynomial_curve(graph, end, 1, Exact_rational(m_scale));
     Polynomial_pair normal, z;
     Power_polynomial weight(1);   // of the front
@@ -67,34 +79,138 @@ public:
         z[k] = y.point[k] * x.weight - x.point[k] * y.weight;
       weight = x.weight;
     }
-    const Power_polynomial nz = product(normal, z);
-    m_sign_of_value = Blown_up_polynomial::without_common_powers(nz * weight * y.weight);
-    m_slope = Blown_up_polynomial::without_common_powers(product(normal, y.derivative) * product(z, z) - Power_polynomial(2) * nz * product(z, y.derivative));
-    m_numerator = Blown_up_polynomial(Power_polynomial(2) * nz * y.weight);
-    m_denominator = Blown_up_polynomial(product(z, z) * weight);
+    const int squares = is_own_singular ? 1 : 0;
+    const Power_polynomial nz = product(normal, z), slope = product(normal, y.tangent) * product(z, z) - Power_polynomial(2) * nz * product(z, y.tangent);
+    m_sign_of_value = Blown_up_polynomial::without_common_powers(with_powers(without_difference(nz, 2 * squares) * weight * y.weight));
+    m_slope = Blown_up_polynomial::without_common_powers(with_powers(without_difference(slope, 4 * squares)));
+    m_numerator = Blown_up_polynomial(with_powers(Power_polynomial(2) * without_difference(nz, 2 * squares) * y.weight));
+    m_denominator = Blown_up_polynomial(with_powers(without_difference(product(z, z), 2 * squares) * weight));
+    m_has_positive_denominator = m_is_singular && weight.is_constant() && sign_of(weight.constant_term()) > 0;
   }
 
   // The signs of k_b for all disks that touch the front at some distance from its end, where b runs over a range, but for disks of less than some curvature.
   Path_signs slopes(const Range& a, const Range& b, double least) const
   {
-    return m_slope.signs(a, scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return curvature(range).sup() < least; });
+    const double least_share = share_of_largest(a);
+    return m_slope.signs(root(a, m_front_power), scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return curvature(range).sup() < least || (least_share > 0 && share(range).sup() < least_share); });
   }
+
+  // Where a derivative is zero, the largest disks have at least such a share of that power of the distance from the end of the front, or of its root; 0 if nothing is known.
+  double share_of_largest(const Range& a) const { return m_is_singular && m_front_power <= 2 ? attained_share(root(a, m_front_power)) : 0; }
+  int power_of_share() const { return static_cast<int>(m_denominator.degree()) - static_cast<int>(m_numerator.degree()); }
+  bool has_powers() const { return m_front_power != m_arc_power; }
+  bool is_share_of_root() const { return m_front_power == 2; }
 
   // Whether no disk of a range is in the half-plane of its normal.
   bool is_value_negative(const Range& a, const Range& b) const
   {
-    const Sign_pattern pattern = m_sign_of_value.pattern(a, scaled(b));
+    const Sign_pattern pattern = m_sign_of_value.pattern(root(a, m_front_power), scaled(b));
     return pattern == Sign_pattern::NEGATIVE || pattern == Sign_pattern::ZERO;
   }
 
+  // A curvature that all disks exceed that touch the front no farther from its end, where front and arc meet.
+  double attained_curvature(const Range& a) const
+  {
+    const Range radius = root(a, m_front_power);
+    Interval result(attained_share(radius));
+    for (std::size_t i = m_numerator.degree(); i < m_denominator.degree(); ++i)
+      result /= Interval(radius.end);
+    return std::isfinite(result.inf()) ? result.inf() : 0;
+  }
+
 private:
+  // Where k is not bounded next to the vertex: times the power of the distance of the front that it is inversely proportional to, nearly.
+  Interval share(const Blown_up_polynomial::Chart_range& range) const
+  {
+    Interval result = m_numerator(range) / m_denominator(range);
+    for (std::size_t i = m_numerator.degree(); range.is_far && i < m_denominator.degree(); ++i)
+      result *= range.ratio;
+    return result;
+  }
+
+  // A share that the largest disks exceed, or 0: by those through points whose distance has one of some ratios to that of the front.
+  double attained_share(const Range& radius) const
+  {
+    constexpr int most_halvings = 8;
+    double result = 0;
+    if (m_numerator.is_zero() || m_numerator.degree() >= m_denominator.degree())
+      return result;
+    for (int i = -2 * most_halvings; i <= 2 * most_halvings; ++i) {
+      const Interval ratio(std::exp2(i / 2.0));
+      Interval b(m_scale);
+      for (int j = 0; j < m_arc_power; ++j)
+        b *= Interval(radius.end) * ratio;
+      if (b.sup() <= 1)
+        result = (std::max)(result, share({radius.interval(), ratio, false}).inf());
+    }
+    return std::isfinite(result) ? result : 0;
+  }
+
+  // With a distance from the vertex for which both parameters are powers.
+  void find_powers(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end)
+  {
+    const Arc_end own{front.object, front_end};
+    if (front.is_fan || own == end || graph.vertex_of(own) != graph.vertex_of(end))
+      return;
+    const int a = graph.arcs()[own.arc].zeros_of_derivative(own.is_end) + 1, b = graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1, common = std::gcd(a, b);
+    m_front_power = b / common;
+    m_arc_power = a / common;
+  }
+
+  // With the parameters replaced by powers.
+  Power_polynomial with_powers(const Power_polynomial& p) const
+  {
+    if (m_front_power == 1 && m_arc_power == 1)
+      return p;
+    return p.substituted(0, pow(Power_polynomial::variable(0), m_front_power)).substituted(1, pow(Power_polynomial::variable(1), m_arc_power));
+  }
+
+  // Divided by a power of b - a, which is a factor: by Horner's rule.
+  static Power_polynomial without_difference(Power_polynomial p, int power)
+  {
+    for (; power > 0; --power) {
+      std::vector<Power_polynomial> coefficients(static_cast<std::size_t>(p.degree(1)) + 1);   // of the powers of b
+      for (const auto& [monomial, coefficient] : p.terms())
+        coefficients[static_cast<std::size_t>(monomial.exponent(1))] += Power_polynomial(coefficient) * pow(Power_polynomial::variable(0), monomial.exponent(0));
+      Power_polynomial quotient, rest;
+      for (std::size_t k = coefficients.size(); k-- > 1;) {
+        rest = rest * Power_polynomial::variable(0) + coefficients[k];
+        quotient += rest * pow(Power_polynomial::variable(1), static_cast<int>(k) - 1);
+      }
+      p = std::move(quotient);
+    }
+    return p;
+  }
+
+  // Numbers of which a range holds the powers.
+  static Range root(const Range& range, int power)
+  {
+    return power == 1 ? range : Range{root(range.begin, power, -1), root(range.end, power, 1)};
+  }
+
+  // A number whose power is not greater, or not less, than x.
+  static double root(double x, int power, int side)
+  {
+    if (x == 0)
+      return 0;
+    const double result = std::pow(x, 1.0 / power) * (1 + side * 0x1p-40);
+    Interval value(1);
+    for (int i = 0; i < power; ++i)
+      value *= Interval(result);
+    if (side < 0)
+      return value.sup() <= x ? result : 0;
+    return value.inf() >= x ? result : (std::max)(x, 1.0);
+  }
+
   Interval curvature(const Blown_up_polynomial::Chart_range& range) const
   {
     constexpr int pieces = 8;   // of the ratio, on which k depends most
     if (m_numerator.is_zero())
       return Interval(0);
     if (m_numerator.degree() < m_denominator.degree())
-      return any_number();
+      return share(range).sup() <= 0 ? Interval(-std::numeric_limits<double>::infinity(), 0) : any_number();
+    if (m_has_positive_denominator && m_numerator(range).sup() <= 0)
+      return Interval(-std::numeric_limits<double>::infinity(), 0);
     std::optional<Interval> result;
     for (int i = 0; i < pieces; ++i) {
       const double begin = range.ratio.inf(), step = (range.ratio.sup() - begin) / pieces;
@@ -107,7 +223,7 @@ private:
     return *result;
   }
 
-  Range scaled(const Range& b) const { return {b.begin / m_scale, b.end / m_scale}; }
+  Range scaled(const Range& b) const { return root({b.begin / m_scale, b.end / m_scale}, m_arc_power); }
 
   static Power_polynomial product(const Polynomial_pair& a, const Polynomial_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
@@ -116,11 +232,8 @@ private:
   {
     if (front.is_fan)
       return 1;
-    const auto speed = [&](const Arc_end& e) {
-      const Interval square = squared_norm(graph.arcs()[e.arc].jet({e.parameter(), e.parameter()}, 1)[1]);
-      return std::sqrt(square.sup());
-    };
-    const double ratio = speed({front.object, front_end}) / speed(end);
+    const auto speed = [&](const Arc_end& e) { return std::sqrt(squared_norm(graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()})).sup()) / (graph.arcs()[e.arc].zeros_of_derivative(e.is_end) + 1); };
+    const double ratio = std::pow(speed({front.object, front_end}) / speed(end), 1.0 / (graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1));
     return ratio > 0 && std::isfinite(ratio) ? std::exp2(std::round(std::log2(ratio))) : 1;
   }
 
@@ -140,10 +253,9 @@ private:
     };
     const Site_arc_2& arc = graph.arcs()[end.arc];
     const auto& [x, y, w] = arc.piece().coordinates;
-    Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}, {}};
+    Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}};
     for (std::size_t k = 0; k < 2; ++k) {
-      result.derivative[k] = result.point[k].derivative(variable) * result.weight - result.point[k] * result.weight.derivative(variable);
-      result.tangent[k] = arc.has_singular_end() ? Power_polynomial(end.is_end ? -1 : 1) * polynomial(arc.tangent()[k]) : result.derivative[k];
+      result.tangent[k] = arc.has_singular_end() ? Power_polynomial(end.is_end ? -1 : 1) * polynomial(arc.tangent()[k]) : result.point[k].derivative(variable) * result.weight - result.point[k] * result.weight.derivative(variable);
     }
     return result;
   }
@@ -154,16 +266,34 @@ class Disk_slopes
 {
   const Site_graph_2& m_graph;
   const Front& m_front;
-  std::map<std::tuple<bool, std::size_t, bool>, Disk_slope> m_slopes;
+  std::map<std::tuple<bool, std::size_t, bool, bool>, Disk_slope> m_slopes;
 
 public:
   Disk_slopes(const Site_graph_2& graph, std::size_t front) : m_graph(graph), m_front(graph.fronts()[front]) {}
 
-  const Disk_slope& operator()(bool front_end, const Arc_end& end)
+  // A curvature that all disks exceed, or 0: of a part of the front that begins or ends in a vertex in which a derivative is zero.
+  double attained_curvature(const Range& range)
   {
-    const std::tuple key(front_end, end.arc, end.is_end);
+    double result = 0;
+    for (const bool front_end : {false, true}) {
+      if (front_end ? range.end < 1 : range.begin > 0)
+        continue;
+      const Arc_end own{m_front.object, front_end};
+      if (!m_front.is_fan && !m_graph.is_exact(own))
+        continue;
+      for (const Arc_end& end : m_graph.vertices()[m_front.is_fan ? m_front.object : m_graph.vertex_of(own)].ends)
+        if (m_graph.is_exact(end) && !(m_graph.is_regular(end) && (m_front.is_fan || m_graph.is_regular(own))))
+          result = (std::max)(result, (*this)(front_end, end).attained_curvature(front_end ? Range{1 - range.end, 1 - range.begin} : range));
+    }
+    return result;
+  }
+
+  // In parameters whose powers are u and v, if distances next to a common vertex are not the same powers of these; or in u and v.
+  const Disk_slope& operator()(bool front_end, const Arc_end& end, bool is_by_distance = true)
+  {
+    const std::tuple key(front_end, end.arc, end.is_end, is_by_distance);
     const auto position = m_slopes.find(key);
-    return position != m_slopes.end() ? position->second : m_slopes.emplace(key, Disk_slope(m_graph, m_front, front_end, end)).first->second;
+    return position != m_slopes.end() ? position->second : m_slopes.emplace(key, Disk_slope(m_graph, m_front, front_end, end, is_by_distance)).first->second;
   }
 };
 

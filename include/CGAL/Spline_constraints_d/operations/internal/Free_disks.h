@@ -11,7 +11,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Opposite_sites.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Singular_ends.h>
 
 #include <CGAL/number_utils.h>
 
@@ -42,7 +41,6 @@ class Free_disks
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
-  Singular_ends m_singular_ends;
   const Cusps_2& m_cusps;
   Disk_candidates m_candidates;
   std::optional<Disk_slopes> m_slopes;
@@ -56,7 +54,7 @@ class Free_disks
 
 public:
   Free_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Exact_rational& radius)
-    : m_graph(graph), m_curvature(graph), m_singular_ends(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps), m_exact_radius(radius), m_radius(interval_of(radius))
+    : m_graph(graph), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps), m_exact_radius(radius), m_radius(interval_of(radius))
   {}
 
   Free_ranges operator()(std::size_t front)
@@ -109,11 +107,10 @@ private:
     const Front_part part = m_curvature.part(front, range);
     const double least = m_candidates.prune(part, candidates);
     const Interval wanted = wanted_curvature(part);
-    if ((std::max)(least, m_singular_ends.own_curvature(part)) > wanted.sup()) {
+    if (least > wanted.sup()) {
       append_covered();
       return;
     }
-    std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_singular_ends.is_behind(part, candidate); });
     if (range.width() < width_of_ties)
       std::erase_if(candidates, [&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() >= wanted.inf() && m_opposite_sites->contain(candidate); });
     if (append_pocket(part, candidates))

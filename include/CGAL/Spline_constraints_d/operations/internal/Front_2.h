@@ -47,7 +47,7 @@ struct Front_jet
   Interval_pair point, point_derivative, normal, normal_derivative;
 };
 
-// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there.
+// The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there; of any size, if one of them is zero.
 struct Smooth_continuation
 {
   Arc_end end;

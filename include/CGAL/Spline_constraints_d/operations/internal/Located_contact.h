@@ -28,16 +28,17 @@ struct Disk_contact
   bool operator==(const Disk_contact&) const = default;
 };
 
-// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front; in a cusp, by a power of it.
+// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
 struct Corner_of_disks
 {
   double parameter = 0, least = 0;
   int power = 1;
+  bool is_root = false;
 
   double least_curvature(double u) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Interval distance = CGAL::abs(Interval(u) - Interval(parameter));
+    const Interval way = CGAL::abs(Interval(u) - Interval(parameter)), distance = is_root ? CGAL::sqrt(way) : way;
     Interval result(least);
     for (int i = 0; i < power && u != parameter; ++i)
       result /= distance;
@@ -61,7 +62,7 @@ struct Attained_curvature
   Range range{};
 };
 
-// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
+// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
 template <class Curvature_at>
 Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
 {
@@ -86,9 +87,9 @@ Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
       continue;
     const Curvature_bounds k = at(around), here = at({v, v});
     const Interval step = around.interval() - Interval(v);
-    Interval greatest = common_part(k.value, here.value + k.dv * step);
-    if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative
-      greatest = common_part(greatest, here.value + common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
+    Interval greatest = common_part(k.value, here.value + k.factor * k.dv * step);
+    if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative; else k_v is as much as m times the derivative of such a function
+      greatest = common_part(greatest, here.value + k.factor * common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
     return {greatest, around};
   }
   return {any_number(), {v, v}};
@@ -153,7 +154,7 @@ inline Interval slope_of_largest_curvature(const Site_graph_2& graph, const Disk
   }
 }
 
-// The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv; k_uu where the largest one may be at an end of the range.
+// The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is for k_v / m; k_uu where the largest one may be at an end of the range.
 inline Interval second_derivative_of_largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
 {
   const std::size_t index = located.contact.index;
@@ -169,7 +170,7 @@ inline Interval second_derivative_of_largest_curvature(const Site_graph_2& graph
     return any_number();
   const auto slope_at = [&](double v) { return curvature(part, index, {v, v}, graph.arcs()[index].jet({v, v})).dv; };
   const bool is_inside = slope_at(located.range.begin).inf() > 0 && slope_at(located.range.end).sup() < 0;
-  const Interval by_contact = CGAL::square(k.duv) / -k.dvv;
+  const Interval by_contact = k.factor * CGAL::square(k.duv) / -k.dvv;
   if (!(by_contact.inf() >= 0 && std::isfinite(by_contact.sup())))
     return any_number();
   return curvature.second_derivative(part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));

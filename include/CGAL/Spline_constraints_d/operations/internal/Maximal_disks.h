@@ -116,7 +116,7 @@ private:
   void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
   {
     const Front_part part = m_curvature.part(front, range);
-    const double least = m_candidates.prune(part, candidates);
+    const double least = m_candidates.prune(part, candidates, m_slopes->attained_curvature(range));
     const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
     if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
       append({}, range);

@@ -118,8 +118,8 @@ private:
   bool split_arc(const Candidate& candidate, std::vector<Candidate>& parts)
   {
     const auto& [begin, end] = candidate.range;
-    const Curve_jet y = m_graph.arcs()[candidate.index].jet(candidate.range, 1);
-    const int slope = certain_sign(dot(y[0] - m_point, y[1]));
+    const Site_arc_2& arc = m_graph.arcs()[candidate.index];
+    const int slope = certain_sign(dot(arc.point(candidate.range) - m_point, arc.direction_over(candidate.range)));
     if (slope != 0) {
       if (slope < 0 ? end == 1 : begin == 0)
         add(parts, {Kind::VERTEX, m_graph.vertex_of({candidate.index, slope < 0})});

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SINGULAR_ENDS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SINGULAR_ENDS_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidate.h>
 
 #include <cstddef>
 
@@ -81,13 +81,15 @@ private:
     return false;
   }
 
-  // Whether <N(u), B(s)> <= 0 for the outgoing directions B of an arc: it is <N(0), B(0)> + u <N', B(s)> + s <N(0), B'>, with the distances u and s from the vertex.
+  // Whether <N(u), B(s)> <= 0 for the outgoing directions B of an arc; also where these are perpendicular in the vertex: it is <N(0), B(0)> + u <N', B(s)> + s <N(0), B'>, with the distances u and s from the vertex.
   bool is_beyond_vertex_behind(const Front_part& part, const Arc_end& own, const Arc_end& end, const Range& to_vertex) const
   {
     const Front& front = m_graph.fronts()[part.front];
     const double u = own.parameter();
     const auto [direction, change] = m_graph.arcs()[end.arc].tangent_jet(to_vertex);
     const Interval_pair b = Interval(end.is_end ? -1 : 1) * direction, turn = Interval(own.is_end ? -1 : 1) * m_graph.front_jet(front, united(part.range, {u, u})).normal_derivative;
+    if (dot(part.jet.normal, b).sup() <= 0)
+      return true;
     return sign_of(exact_dot(m_graph.exact_normal(front, Exact_rational(u)), m_graph.direction(end))) <= 0 && dot(turn, b).sup() <= 0 && dot(m_graph.front_jet(front, {u, u}).normal, change).sup() <= 0;
   }
 };

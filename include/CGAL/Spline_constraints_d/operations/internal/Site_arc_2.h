@@ -241,6 +241,9 @@ public:
   */
   bool has_singular_end() const { return m_zeros[0] + m_zeros[1] > 0; }
 
+  // i or j.
+  int zeros_of_derivative(bool end) const { return m_zeros[end]; }
+
   // X' w^2; of a polynomial arc, X'.
   std::array<Bernstein_tensor<Exact_rational>, 2> derivative_numerators() const
   {
@@ -270,6 +273,17 @@ public:
     return {Interval_pair{x(0, range), y(0, range)}, Interval_pair{x(1, range), y(1, range)}};
   }
 
+  // A vector in the direction of the derivative, or of D.
+  Interval_pair direction_over(const Range& range) const
+  {
+    if (!has_singular_end())
+      return jet(range, 1)[1];
+    return {m_tangent_jet[0](0, range), m_tangent_jet[1](0, range)};
+  }
+
+  // D''.
+  Interval_pair second_derivative_of_tangent(const Range& range) const { return has_singular_end() ? Interval_pair{m_tangent_jet[0](2, range), m_tangent_jet[1](2, range)} : jet(range, 3)[3]; }
+
   // t^i (1-t)^j / w^2, with which X' is this times D, of an arc with such an end.
   Interval tangent_factor(const Range& range) const
   {
@@ -278,6 +292,19 @@ public:
       result *= range.interval();
     for (int j = 0; j < m_zeros[1]; ++j)
       result *= Interval(1) - range.interval();
+    return result;
+  }
+
+  // The derivative of that factor, divided by it; of polynomial arcs, where it is not zero.
+  Interval relative_change_of_factor(const Range& range) const
+  {
+    if (!m_is_polynomial)
+      return any_number();
+    Interval result(0);
+    if (m_zeros[0] > 0)
+      result += Interval(m_zeros[0]) / range.interval();
+    if (m_zeros[1] > 0)
+      result -= Interval(m_zeros[1]) / (Interval(1) - range.interval());
     return result;
   }
 
@@ -361,7 +388,7 @@ private:
     if (has_singular_end())
       for (const std::size_t k : {0, 1}) {
         m_tangent[k] = Bernstein_tensor<Exact_rational>({static_cast<int>(b[k].size()) - 1}, b[k]);
-        m_tangent_jet[k] = Polynomial_jet(m_tangent[k], 0, 1);
+        m_tangent_jet[k] = Polynomial_jet(m_tangent[k], 0, 2);
       }
   }
 

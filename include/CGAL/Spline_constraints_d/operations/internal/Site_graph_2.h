@@ -165,6 +165,9 @@ public:
   // Whether an arc ends where its piece does.
   bool is_exact(const Arc_end& end) const { return m_is_end_exact[end.arc][end.is_end]; }
 
+  // Whether the derivative of an arc is not zero in an end, as far as that is known.
+  bool is_regular(const Arc_end& end) const { return m_arcs[end.arc].zeros_of_derivative(end.is_end) == 0; }
+
   // Whether the order of the arcs around all vertices is proved, and no arcs are known to overlap.
   bool is_proved() const { return m_is_proved; }
 
@@ -384,14 +387,16 @@ private:
           continue;
         const Exact_pair s = m_arcs[a.arc].derivative_at(a.is_end), t = m_arcs[b.arc].derivative_at(b.is_end);
         const std::size_t k = CGAL::abs(s[0]) < CGAL::abs(s[1]);
-        if (sign_of(s[k]) == 0 || sign_of(t[k]) == 0)
+        const int turn = sign_of(exact_cross(p, q));
+        const bool has_ratio = sign_of(s[k]) != 0 && sign_of(t[k]) != 0;
+        if (!has_ratio && is_regular(a) && is_regular(b))
           continue;
-        const Exact_rational ratio = CGAL::abs(Exact_rational(t[k] / s[k]));
-        if (const int turn = sign_of(exact_cross(p, q)); turn == 0 && !(goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a)))
+        const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
+        if (turn == 0 && !(goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a)))
           continue;
         else if (turn == 0)
-          m_continuations[a.arc][a.is_end] = {b, is_exact(a) && is_exact(b) ? interval_of(ratio) : ratio_of_speeds(a, b, k)};
-        else if (vertex.ends.size() == 2 && is_small_turn(p, q))
+          m_continuations[a.arc][a.is_end] = {b, !has_ratio ? any_number() : is_exact(a) && is_exact(b) ? interval_of(ratio) : ratio_of_speeds(a, b, k)};
+        else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
           m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
   }

@@ -31,8 +31,8 @@ inline bool is_contact_with(const Disk_contact& contact, const Front& front)
 inline std::optional<Touched_front> touched_front(const Site_graph_2& graph, const Disk_contact& contact, const Range& range, const Interval_pair& center)
 {
   if (contact.kind == Disk_contact::Kind::ARC) {
-    const Curve_jet y = graph.arcs()[contact.index].jet(range, 1);
-    const int side = certain_sign(dot(turned_left(y[1]), center - y[0]));
+    const Site_arc_2& arc = graph.arcs()[contact.index];
+    const int side = certain_sign(dot(turned_left(arc.direction_over(range)), center - arc.point(range)));
     return side == 0 ? std::nullopt : std::optional(Touched_front{2 * contact.index + (side < 0), range});
   }
   const Site_graph_2::Vertex& vertex = graph.vertices()[contact.index];

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Voronoi diagrams, medial axes and offsets of cubics whose first or last two control points are the same: edges in closed form, Euler's formula, empty disks, and nearest sites by brute force.
+#include "polygon_area.h"
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+// (t^2, t^3).
+Curve semicubical_parabola() { return bezier({P(0, 0), P(0, 0), P(1. / 3, 0), P(1, 1)}); }
+
+// A corner of a square is cut off by a cubic that arrives at its end with infinite curvature.
+Curves outline(double c = 1, double s = 0)
+{
+  const auto at = [&](double x, double y) { return P(c * x - s * y, s * x + c * y); };
+  return {bezier({at(0, 0), at(4, 0)}), bezier({at(4, 0), at(4, 2), at(6, 3), at(6, 3)}), bezier({at(6, 3), at(6, 6)}), bezier({at(6, 6), at(0, 6)}), bezier({at(0, 6), at(0, 0)})};
+}
+
+void expect_valid(const Diagram& diagram, const Curves& curves)
+{
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves, 0.02, 20);
+}
+
+std::size_t vertices_of_radius_zero(const Diagram& diagram, const P& p)
+{
+  return static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && v.radius < 1e-12 && distance(v.point, p) < 1e-12; }));
+}
+
+// On its inner side the largest disks touch the begin, and have the centers (-t^2/2 - 3 t^4/2, t + 2 t^3): the radius is zero in the begin.
+TEST(SingularEnds, SemicubicalParabola)
+{
+  const Curves curves{semicubical_parabola()};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  expect_valid(diagram, curves);
+  EXPECT_EQ(vertices_of_radius_zero(diagram, P(0, 0)), 1U);
+  std::size_t edges = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e) {
+    const auto& sites = diagram.edges()[e].sites;
+    const std::size_t arc = !diagram.sites()[sites[0]].is_point ? 0 : 1;
+    if (diagram.sites()[sites[arc]].is_point || !diagram.sites()[sites[1 - arc]].is_point || diagram.sites()[sites[1 - arc]].point != P(0, 0))
+      continue;
+    ++edges;
+    for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
+      const double t = sample.parameters[arc];
+      EXPECT_NEAR(CGAL::to_double(sample.point.x()), -t * t / 2 - 1.5 * t * t * t * t, 1e-9);
+      EXPECT_NEAR(CGAL::to_double(sample.point.y()), t + 2 * t * t * t, 1e-9);
+    }
+  }
+  EXPECT_EQ(edges, 1U);
+}
+
+// A straight line that goes on as the parabola: disks on the inner side touch both, and the edge between these begins in the joint.
+TEST(SingularEnds, SmoothJointWithALine)
+{
+  const Curves curves{bezier({P(-3, 0), P(0, 0)}), semicubical_parabola()};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  expect_valid(diagram, curves);
+  EXPECT_EQ(vertices_of_radius_zero(diagram, P(0, 0)), 1U);
+  EXPECT_EQ(std::count_if(diagram.edges().begin(), diagram.edges().end(), [&](const auto& edge) { return !diagram.sites()[edge.sites[0]].is_point && !diagram.sites()[edge.sites[1]].is_point; }), 1);
+}
+
+// Two such ends that join: as an arch, with an inflection, and at corners.
+TEST(SingularEnds, JointsOfTwo)
+{
+  const Curve left = bezier({P(-2, 1), P(-1, 0), P(0, 0), P(0, 0)});
+  for (const Curves& curves : {Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, 1)})}, Curves{left, bezier({P(0, 0), P(0, 0), P(1, 0), P(2, -1)})},
+                               Curves{left, bezier({P(0, 0), P(0, 0), P(0, -1), P(-2, -3)})}, Curves{left, bezier({P(0, 0), P(0, 0), P(0, 1), P(2, 3)})}})
+    expect_valid(SC::voronoi_diagram(curves), curves);
+}
+
+// An arc that goes on with infinite curvature to the other side, and a sharp corner between two such ends.
+TEST(SingularEnds, InflectionsAndSharpCorners)
+{
+  for (const Curves& curves : {Curves{bezier({P(-3, 0), P(-2, -1), P(-1, -1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, 1), P(2, -1)})}, Curves{bezier({P(-3, 0), P(-2, 1), P(-1, 1), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(1, -1), P(2, -3)})},
+                               Curves{bezier({P(-2, -1), P(-1, -1), P(0, 0), P(0, 0)}), bezier({P(0, 0), P(0, 0), P(-1, 0), P(-2, 1)})}})
+    expect_valid(SC::voronoi_diagram(curves), curves);
+}
+
+// Segments whose control points coincide at both ends have the diagram of the polygon.
+TEST(SingularEnds, StraightSides)
+{
+  const std::vector<P> corners{P(0, 0), P(4, 0), P(5, 3), P(1, 4)};
+  Curves sides, doubled;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const P &p = corners[i], &q = corners[(i + 1) % corners.size()];
+    sides.push_back(bezier({p, q}));
+    doubled.push_back(bezier({p, p, q, q}));
+  }
+  const Diagram diagram = SC::voronoi_diagram(doubled);
+  expect_valid(diagram, doubled);
+  EXPECT_EQ(counts(diagram), counts(SC::voronoi_diagram(sides)));
+}
+
+TEST(SingularEnds, Outline)
+{
+  const Curves curves = outline();
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  expect_valid(diagram, curves);
+  EXPECT_GE(vertices_of_radius_zero(diagram, P(6, 3)), 1U);
+  const Curves turned = outline(-0.75, 1.25);
+  const Diagram other = SC::voronoi_diagram(turned);
+  EXPECT_TRUE(other.is_complete());
+  EXPECT_EQ(counts(diagram), counts(other));
+
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 7);
+  for (int i = 0; i < 300; ++i) {
+    const P p(coordinate(random), coordinate(random));
+    double least = std::numeric_limits<double>::infinity();
+    for (const Curve& curve : curves)
+      for (int k = 0; k <= 400; ++k)
+        least = (std::min)(least, distance(p, curve(k / 400.)));
+    const auto sites = diagram.nearest_sites(p);
+    ASSERT_EQ(sites.size(), 1U);
+    const auto& site = diagram.sites()[sites[0]];
+    double nearest = distance(p, site.point);
+    for (int k = 0; k <= 400 && !site.is_point; ++k)
+      nearest = (std::min)(nearest, distance(p, curves[site.curve](k / 400.)));
+    EXPECT_NEAR(nearest, least, 1e-3);
+  }
+}
+
+// The medial axis is the part of the diagram inside, and offsets are those of other curves as near as that.
+TEST(SingularEnds, MedialAxisAndOffset)
+{
+  const auto region = SC::planar_region(outline());
+  const auto axis = SC::medial_axis(region);
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.vertices().size(), axis.edges().size() + 1);   // a tree
+  const auto offset = SC::trimmed_offset(region, 0.3);
+  EXPECT_TRUE(offset.is_complete());
+}
