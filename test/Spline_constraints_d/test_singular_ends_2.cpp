@@ -28,6 +28,15 @@ Curves outline(double c = 1, double s = 0)
   return {bezier({at(0, 0), at(4, 0)}), bezier({at(4, 0), at(4, 2), at(6, 3), at(6, 3)}), bezier({at(6, 3), at(6, 6)}), bezier({at(6, 6), at(0, 6)}), bezier({at(0, 6), at(0, 0)})};
 }
 
+double distance_to(const Curves& curves, const P& p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Curve& curve : curves)
+    for (int k = 0; k <= 400; ++k)
+      least = (std::min)(least, distance(p, curve(k / 400.)));
+  return least;
+}
+
 void expect_valid(const Diagram& diagram, const Curves& curves)
 {
   EXPECT_TRUE(diagram.is_complete());
@@ -120,10 +129,7 @@ TEST(SingularEnds, Outline)
   std::uniform_real_distribution<double> coordinate(-1, 7);
   for (int i = 0; i < 300; ++i) {
     const P p(coordinate(random), coordinate(random));
-    double least = std::numeric_limits<double>::infinity();
-    for (const Curve& curve : curves)
-      for (int k = 0; k <= 400; ++k)
-        least = (std::min)(least, distance(p, curve(k / 400.)));
+    const double least = distance_to(curves, p);
     const auto sites = diagram.nearest_sites(p);
     ASSERT_EQ(sites.size(), 1U);
     const auto& site = diagram.sites()[sites[0]];
@@ -134,13 +140,29 @@ TEST(SingularEnds, Outline)
   }
 }
 
-// The medial axis is the part of the diagram inside, and offsets are those of other curves as near as that.
+// The medial axis is the part of the diagram inside; all points of the offset have the distance, and its area is that of the region and at most, as Steiner's formula has it for convex regions, a strip along the outline and a disk.
 TEST(SingularEnds, MedialAxisAndOffset)
 {
-  const auto region = SC::planar_region(outline());
+  const Curves curves = outline();
+  const auto region = SC::planar_region(curves);
   const auto axis = SC::medial_axis(region);
   EXPECT_TRUE(axis.is_complete());
   EXPECT_EQ(axis.vertices().size(), axis.edges().size() + 1);   // a tree
-  const auto offset = SC::trimmed_offset(region, 0.3);
+  constexpr double r = 0.3, error = 1e-4;
+  const auto offset = SC::trimmed_offset(region, r);
   EXPECT_TRUE(offset.is_complete());
+  ASSERT_EQ(offset.boundaries().size(), 1U);
+  for (const auto& polygon : offset.polygons_with_holes(error))
+    for (const auto& p : polygon.outer_boundary().vertices())
+      EXPECT_NEAR(distance_to(curves, p), r, 1e-3);
+  double twice_area = 0, length = 0;   // of a polygon inscribed in the outline
+  for (const Curve& curve : curves)
+    for (int k = 0; k < 400; ++k) {
+      const P p = curve(k / 400.), q = curve((k + 1) / 400.);
+      twice_area += CGAL::to_double(p.x() * q.y() - p.y() * q.x());
+      length += distance(p, q);
+    }
+  const double grown = total_area(offset.polygons_with_holes(error));
+  EXPECT_GT(grown, twice_area / 2);
+  EXPECT_LT(grown, twice_area / 2 + r * length + CGAL_PI * r * r + 1e-3);
 }

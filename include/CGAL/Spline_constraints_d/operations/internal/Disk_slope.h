@@ -58,7 +58,7 @@ public:
   {
     const Arc_end own{front.object, front_end};
     m_is_singular = (front.is_fan ? front.object : graph.vertex_of(own)) == graph.vertex_of(end) && !(graph.is_regular(end) && (front.is_fan || graph.is_regular(own)));
-    const bool is_own = !front.is_fan && own == end, is_own_singular = is_own && m_is_singular;
+    const bool is_own = !front.is_fan && own == end;
     if (is_by_distance)
       find_powers(graph, front, front_end, end);
     m_scale = is_own ? 1 : scale(graph, front, front_end, end);
@@ -79,7 +79,7 @@ public:
         z[k] = y.point[k] * x.weight - x.point[k] * y.weight;
       weight = x.weight;
     }
-    const int squares = is_own_singular ? 1 : 0;
+    const int squares = is_own && m_is_singular ? 1 : 0;   // of b - a, in <N, Z> and in |Z|^2
     const Power_polynomial nz = product(normal, z), slope = product(normal, y.tangent) * product(z, z) - Power_polynomial(2) * nz * product(z, y.tangent);
     m_sign_of_value = Blown_up_polynomial::without_common_powers(with_powers(without_difference(nz, 2 * squares) * weight * y.weight));
     m_slope = Blown_up_polynomial::without_common_powers(with_powers(without_difference(slope, 4 * squares)));
@@ -88,7 +88,10 @@ public:
     m_has_positive_denominator = m_is_singular && weight.is_constant() && sign_of(weight.constant_term()) > 0;
   }
 
-  // The signs of k_b for all disks that touch the front at some distance from its end, where b runs over a range, but for disks of less than some curvature.
+  /*
+  The signs of k_b for all disks that touch the front at some distance from its end, where b runs over a range, but for disks of less than some curvature. With n less than d, the lowest degrees of numerator and denominator of k, k a^(d-n) depends mostly on the ratio b/a. If a share is attained by k a^(d-n) for all a, by the points of the arc
+  at one ratio, the largest disk of each a has that share or more, whatever it touches: disks with less of it are none of these, and do not matter either.
+  */
   Path_signs slopes(const Range& a, const Range& b, double least) const
   {
     const double least_share = share_of_largest(a);
@@ -254,9 +257,8 @@ private:
     const Site_arc_2& arc = graph.arcs()[end.arc];
     const auto& [x, y, w] = arc.piece().coordinates;
     Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}};
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < 2; ++k)
       result.tangent[k] = arc.has_singular_end() ? Power_polynomial(end.is_end ? -1 : 1) * polynomial(arc.tangent()[k]) : result.point[k].derivative(variable) * result.weight - result.point[k] * result.weight.derivative(variable);
-    }
     return result;
   }
 };
