@@ -27,7 +27,7 @@ The candidates for the maximal disks of a front: those whose curvature may reach
 */
 class Disk_candidates
 {
-  static constexpr double least_width = 0x1p-40;
+  static constexpr double least_width = 0x1p-46;
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;

@@ -81,7 +81,7 @@ Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
       break;
     v = next;
   }
-  for (double width = 0x1p-44; width < 1; width *= 16) {
+  for (double width = 0x1p-51; width < 1; width *= 16) {
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
     if (!(at({around.begin, around.begin}).dv.inf() > 0 && at({around.end, around.end}).dv.sup() < 0))
       continue;

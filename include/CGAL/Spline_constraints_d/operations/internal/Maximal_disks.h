@@ -56,7 +56,7 @@ Ranges that become too small are left unresolved.
 class Maximal_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
-  static constexpr double least_width = 0x1p-33, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
+  static constexpr double least_width = 0x1p-39, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
