@@ -520,4 +520,47 @@ TEST(Mpfr_interval, output_is_rounded_outward)
   EXPECT_EQ(text(Mpfr_interval::entire_line(), 3), "[-inf;inf]");
 }
 
+TEST(Mpfr_interval, OfEnds)
+{
+  const Mpfr_interval a(ratio(1, 3), ratio(1, 2), 60), b(ratio(2, 3), ratio(3, 4), 200);
+  const Mpfr_interval hull = Mpfr_interval::of_ends(a.lower_mpfr(), b.upper_mpfr());
+  EXPECT_EQ(hull.precision(), 200);
+  EXPECT_EQ(hull.lower(), a.lower());
+  EXPECT_EQ(hull.upper(), b.upper());
+  EXPECT_TRUE(Mpfr_interval::of_ends(Mpfr_interval::entire_line().lower_mpfr(), a.lower_mpfr()).contains(ratio(-7, 2)));
+  EXPECT_THROW(Mpfr_interval::of_ends(b.lower_mpfr(), a.upper_mpfr()), Invalid_input);
+  internal::Mpfr_number nan(53);
+  mpfr_set_nan(nan.get());
+  EXPECT_THROW(Mpfr_interval::of_ends(nan.get(), a.upper_mpfr()), Invalid_input);
+}
+
+// Numbers of up to 128 bits hold their digits, others do not: both are moved, copied, exchanged and widened.
+TEST(Mpfr_interval, DigitsInsideAndOutside)
+{
+  const std::array<mpfr_prec_t, 4> precisions{53, 128, 129, 300};
+  for (const mpfr_prec_t p : precisions)
+    for (const mpfr_prec_t q : precisions) {
+      const Mpfr_interval third(ratio(1, 3), p), fifth(ratio(1, 5), q);
+      Mpfr_interval a(third), b(fifth);
+      swap(a, b);
+      EXPECT_TRUE(a.is_same(fifth) && b.is_same(third));
+      a = b;
+      EXPECT_TRUE(a.is_same(third) && b.is_same(third));
+      a = std::move(b);
+      b = fifth;
+      EXPECT_TRUE(a.is_same(third) && b.is_same(fifth));
+      std::vector<Mpfr_interval> grown;
+      for (int i = 0; i < 20; ++i) {
+        grown.push_back(third);
+        grown.push_back(fifth);
+      }
+      EXPECT_TRUE(grown[0].is_same(third) && grown[38].is_same(third) && grown[39].is_same(fifth));
+      a += b;
+      EXPECT_EQ(a.precision(), (std::max)(p, q));
+      EXPECT_TRUE(a.contains(ratio(8, 15)));
+      EXPECT_LT(a.width(), 4 * (third.width() + fifth.width()));
+      EXPECT_TRUE(b.is_same(fifth));
+    }
+}
+
 } // namespace

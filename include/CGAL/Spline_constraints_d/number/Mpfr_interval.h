@@ -124,6 +124,21 @@ public:
     internal::set_from_rational(upper_end(), upper, MPFR_RNDU);
   }
 
+  /*!
+  the interval with given ends, which may be infinite, at the larger one of their precisions.
+
+  \throws Invalid_input if an end is NaN, or `lower > upper`.
+  */
+  static Mpfr_interval of_ends(mpfr_srcptr lower, mpfr_srcptr upper)
+  {
+    if (!mpfr_lessequal_p(lower, upper))
+      throw Invalid_input("Mpfr_interval: the lower end is not a number that is at most the upper end");
+    Mpfr_interval result{Uninitialized(), require_valid_precision((std::max)(mpfr_get_prec(lower), mpfr_get_prec(upper)))};
+    mpfr_set(result.lower_end(), lower, MPFR_RNDD);   // exact
+    mpfr_set(result.upper_end(), upper, MPFR_RNDU);
+    return result;
+  }
+
   //! the entire real line, at `precision` bits.
   static Mpfr_interval entire_line(mpfr_prec_t precision = default_precision())
   {
@@ -381,10 +396,8 @@ private:
 
   void widen_to(mpfr_prec_t bits)
   {
-    if (bits > precision()) {
-      mpfr_prec_round(lower_end(), bits, MPFR_RNDD); // exact: there is only more room
-      mpfr_prec_round(upper_end(), bits, MPFR_RNDU);
-    }
+    m_lower.widen(bits);
+    m_upper.widen(bits);
   }
 
   internal::Mpfr_number m_lower;

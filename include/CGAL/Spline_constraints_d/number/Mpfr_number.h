@@ -14,6 +14,7 @@
 
 #include <mpfr.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -23,27 +24,47 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Owns one MPFR number. Moving steals the digits; what was moved from may only be assigned to or destroyed.
+// Owns one MPFR number. That of up to 128 bits holds its digits itself (MPFR's custom interface), so that nothing is allocated for it. Moving steals the digits of others; what was moved from may only be assigned to or destroyed.
 class Mpfr_number
 {
+  static constexpr mpfr_prec_t most_bits_inside = 128;
+
+  mpfr_t m_value;
+  std::array<mp_limb_t, (most_bits_inside + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS> m_digits{};
+  bool m_is_owner = true;
+
 public:
   // The number 0 with room for `precision` bits.
   explicit Mpfr_number(mpfr_prec_t precision)
   {
-    mpfr_init2(m_value, precision);
-    mpfr_set_zero(m_value, 1);
+    if (precision <= most_bits_inside) {
+      mpfr_custom_init(m_digits.data(), precision);
+      mpfr_custom_init_set(m_value, MPFR_ZERO_KIND, 0, precision, m_digits.data());
+    } else {
+      mpfr_init2(m_value, precision);
+      mpfr_set_zero(m_value, 1);
+    }
   }
 
   Mpfr_number(const Mpfr_number& other)
   {
     CGAL_precondition(other.m_is_owner);
-    mpfr_init2(m_value, mpfr_get_prec(other.m_value));
-    mpfr_set(m_value, other.m_value, MPFR_RNDN); // same precision: exact
+    if (other.has_digits_inside())
+      copy_with_digits(other);
+    else {
+      mpfr_init2(m_value, mpfr_get_prec(other.m_value));
+      mpfr_set(m_value, other.m_value, MPFR_RNDN); // same precision: exact
+    }
   }
 
-  Mpfr_number(Mpfr_number&& other) noexcept : m_is_owner(std::exchange(other.m_is_owner, false))
+  Mpfr_number(Mpfr_number&& other) noexcept
   {
-    *m_value = *other.m_value;
+    if (other.has_digits_inside())
+      copy_with_digits(other);
+    else {
+      *m_value = *other.m_value;
+      m_is_owner = std::exchange(other.m_is_owner, false);
+    }
   }
 
   Mpfr_number& operator=(const Mpfr_number& other)
@@ -67,14 +88,27 @@ public:
 
   ~Mpfr_number()
   {
-    if (m_is_owner)
+    if (m_is_owner && !has_digits_inside())
       mpfr_clear(m_value);
   }
 
   void swap(Mpfr_number& other) noexcept
   {
     std::swap(*m_value, *other.m_value);
+    std::swap(m_digits, other.m_digits);
     std::swap(m_is_owner, other.m_is_owner);
+    find_digits();
+    other.find_digits();
+  }
+
+  // Makes room for at least `precision` bits.
+  void widen(mpfr_prec_t precision)
+  {
+    if (precision <= this->precision())
+      return;
+    Mpfr_number wide(precision);
+    mpfr_set(wide.m_value, m_value, MPFR_RNDN); // exact: there is only more room
+    swap(wide);
   }
 
   mpfr_ptr get() { return m_value; }
@@ -82,8 +116,20 @@ public:
   mpfr_prec_t precision() const { return mpfr_get_prec(m_value); }
 
 private:
-  mpfr_t m_value;
-  bool m_is_owner = true;
+  bool has_digits_inside() const { return precision() <= most_bits_inside; }
+
+  void copy_with_digits(const Mpfr_number& other)
+  {
+    *m_value = *other.m_value;
+    m_digits = other.m_digits;
+    find_digits();
+  }
+
+  void find_digits()
+  {
+    if (has_digits_inside())
+      mpfr_custom_move(m_value, m_digits.data());
+  }
 };
 
 // The integer n >= 0 as an MPFR number, exactly. The way for integers that are not made of a GMP number.

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -205,7 +206,7 @@ private:
 
   void make_sites()
   {
-    const std::vector<std::size_t> regions = m_graph->components_of_vertices();
+    const std::vector<std::size_t> regions = internal::components_of_vertices(*m_graph);
     for (std::size_t i = 0; i < m_graph->arcs().size(); ++i) {
       const auto& [begin, end] = m_graph->arcs()[i].piece().domain;
       m_sites.push_back({false, internal::kernel_object<Kernel, Point>(m_graph->arcs()[i].at(0)), m_graph->curve_of_arc(i), {to_nearest_double(begin), to_nearest_double(end)}, regions[m_graph->vertex_of({i, false})]});

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_ARC_GERM_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_ARC_GERM_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Exact_arc_2.h>
 
 #include <CGAL/number_utils.h>
 
@@ -19,8 +19,16 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// Whether the turn from the direction of one vector to that of another one is small: arcs join nearly smoothly then.
+inline bool is_small_turn(const Exact_pair& p, const Exact_pair& q)
+{
+  constexpr double most_turn = 0x1p-20;
+  const Exact_rational most = Exact_rational(most_turn), sine = exact_cross(p, q), square = exact_dot(p, p) * exact_dot(q, q);
+  return sine * sine < most * most * square;
+}
+
 // The outgoing direction of an end of an arc, also where its derivative is zero: the first derivative that is not zero, up to its length: from the end to the next control point that is another point, whatever the signs of their weights.
-inline Exact_pair outgoing_direction(const Site_arc_2& arc, bool is_end)
+inline Exact_pair outgoing_direction(const Exact_arc_2& arc, bool is_end)
 {
   const auto& [x, y, w] = arc.piece().coordinates;
   const auto elevated = [&x = x, &y = y, &w = w](const Bernstein_tensor<Exact_rational>& tensor) { return tensor.elevated({(std::max)({x.degree(0), y.degree(0), w.degree(0)})}).coefficients(); };
@@ -62,7 +70,7 @@ class Arc_germ
   Series m_coefficients;
 
 public:
-  Arc_germ(const Site_arc_2& arc, bool is_end, std::size_t order) : m_size(order + 1)
+  Arc_germ(const Exact_arc_2& arc, bool is_end, std::size_t order) : m_size(order + 1)
   {
     const Exact_pair d = outgoing_direction(arc, is_end), p = arc.at(is_end);
     const Exact_rational length = (std::max)(Exact_rational(CGAL::abs(d[0])), Exact_rational(CGAL::abs(d[1])));   // that of equal directions is the same

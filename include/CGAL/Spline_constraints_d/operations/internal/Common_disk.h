@@ -21,8 +21,17 @@ namespace internal {
 /*
 A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
 */
-class Common_disk
+template <class Interval>
+class Basic_common_disk
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
   Exact_pair m_center;
@@ -31,13 +40,13 @@ class Common_disk
 
 public:
   // The center is the simplest one in an enclosure.
-  Common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph), m_curvature(curvature)
+  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph), m_curvature(curvature)
   {
     for (std::size_t k = 0; k < 2; ++k) {
       if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
         return;
       m_center[k] = simplest_rational_between(Exact_rational(center[k].inf()), Exact_rational(center[k].sup()));
-      m_enclosed_center[k] = interval_of(m_center[k]);
+      m_enclosed_center[k] = interval_of<Interval>(m_center[k]);
     }
     for (const Disk_branch& contact : contacts)
       if (!m_squared_radius)
@@ -82,7 +91,7 @@ private:
 
   Exact_rational squared_factor(const Disk_contact& contact) const { return is_scaled(contact) ? m_curvature.scaled_sites()->squared_factor : Exact_rational(1); }
 
-  bool touches(const Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
+  bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
 
   Exact_rational squared_distance_from(const Exact_pair& p) const
   {
@@ -139,6 +148,8 @@ private:
     return rest * rest == 4 * square * squared_radius;
   }
 };
+
+using Common_disk = Basic_common_disk<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -21,14 +21,22 @@ A half-plane that touches a front and several copies of it in a row, moved by mu
 
 Where <N(u), d> = 0, the half-plane of N has the points X(u) + s d on its boundary, and so that of each copy with the same parameter, where the copy has the same tangent: k = 0 and k_v = 0 there. Each branch has one maximum, which is that point if it holds it.
 */
-class Common_half_plane
+template <class Interval>
+class Basic_common_half_plane
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
   const Front_part& m_part;
 
 public:
-  Common_half_plane(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part) : m_graph(graph), m_curvature(curvature), m_part(part) {}
+  Basic_common_half_plane(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part) : m_graph(graph), m_curvature(curvature), m_part(part) {}
 
   // Whether it is proved that a half-plane over the part touches all contacts, of which one is nothing: that of disks that are half-planes.
   bool touches_all(const std::vector<Disk_branch>& branches) const
@@ -53,7 +61,7 @@ public:
 private:
   int turn(const Exact_pair& direction, double u) const
   {
-    return certain_sign(dot(m_graph.front_jet(m_graph.fronts()[m_part.front], {u, u}).normal, Interval_pair{interval_of(direction[0]), interval_of(direction[1])}));
+    return certain_sign(dot(m_graph.front_jet(m_graph.fronts()[m_part.front], {u, u}).normal, Interval_pair{interval_of<Interval>(direction[0]), interval_of<Interval>(direction[1])}));
   }
 
   // The vector from the front to a contact that is a copy of it, and touched at the parameter of the front.
@@ -70,13 +78,15 @@ private:
     for (const bool is_reversed : {false, true}) {
       const Exact_pair d = way(a.at(0), b.at(is_reversed ? 1 : 0));
       const auto moved = [&](const Exact_pair& p) { return Exact_pair{Exact_rational(p[0] + d[0]), Exact_rational(p[1] + d[1])}; };
-      const Interval v = is_reversed ? Interval(1) - m_part.range.interval() : m_part.range.interval();
+      const Interval v = is_reversed ? Interval(1) - interval_of<Interval>(m_part.range) : interval_of<Interval>(m_part.range);
       if (is_image(a, moved, b, is_reversed) && is_only_maximum(m_graph, m_curvature, m_part, {other, {v.inf(), v.sup()}}, located))
         return d;
     }
     return std::nullopt;
   }
 };
+
+using Common_half_plane = Basic_common_half_plane<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTROL_POINTS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTROL_POINTS_2_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Exact_arc_2.h>
 
 #include <array>
 #include <cstddef>
@@ -20,7 +20,7 @@ class Control_points_2
   std::array<std::vector<Exact_rational>, 3> m_coefficients;
 
 public:
-  explicit Control_points_2(const Site_arc_2& arc)
+  explicit Control_points_2(const Exact_arc_2& arc)
   {
     for (std::size_t k = 0; k < 3; ++k) {
       const Bernstein_tensor<Exact_rational>& f = arc.piece().coordinates[k];
@@ -35,7 +35,7 @@ public:
 
 // Whether an affine map takes an arc to another one, or to itself, with the parameter 1 - t or t: it does so with their control points.
 template <class Map>
-bool is_image(const Site_arc_2& a, const Map& map, const Site_arc_2& b, bool is_reversed)
+bool is_image(const Exact_arc_2& a, const Map& map, const Exact_arc_2& b, bool is_reversed)
 {
   if (a.degree() != b.degree())
     return false;

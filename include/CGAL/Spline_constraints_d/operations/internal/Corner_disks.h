@@ -22,8 +22,17 @@ Disks that touch two arcs near their common vertex p, in an angle of less than 1
 
 and g is a smooth function with one maximum in m for small s, also for s = 0. If the other arc is scaled, g is the positive zero of |Z|^2 g^2 - 2 <N, Z> g - (c^2 - 1) |N|^2; the angle may have any size, and the maximum may be that of the vertex, m = 0.
 */
-class Corner_disks
+template <class Interval>
+class Basic_corner_disks
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Curvature_quotient = Basic_curvature_quotient<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
   static constexpr double most_share = 1 - 0x1p-20;   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
   static constexpr int steps = 12, most_halvings = 10;
@@ -44,7 +53,7 @@ private:
 
 public:
   // For the part of a front, which begins or ends in one end of its arc, and a range of the other arc that begins or ends there too.
-  Corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
+  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
   {
     const Curve_jet x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
     const Interval own_way(own.is_end ? -1 : 1), way(other.is_end ? -1 : 1);
@@ -143,6 +152,8 @@ private:
     return halvings > 0 && visit(begin, middle, attained, halvings - 1, found) && visit(middle, end, attained, halvings - 1, found);
   }
 };
+
+using Corner_disks = Basic_corner_disks<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

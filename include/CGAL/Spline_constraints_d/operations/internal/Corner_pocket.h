@@ -23,8 +23,19 @@ Two arcs that join nearly smoothly, seen from the side where their angle is less
 Let the disk that touches the front in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the front between X and the corner touches something else in the pocket, and if nothing else is there, the
 other arc. Hence such points X form a range of the front that begins in the corner, and for this no disk has to be looked at.
 */
-class Corner_pocket
+template <class Interval>
+class Basic_corner_pocket
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Corner_pocket = Basic_corner_pocket<Interval>;
+
   static constexpr int most_halvings = 12, most_shrinkings = 60;
 
   const Site_graph_2& m_graph;
@@ -115,7 +126,7 @@ public:
   }
 
 private:
-  Corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
+  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end), m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
   {}
 
@@ -130,6 +141,8 @@ private:
     return halvings > 0 && is_below(point, {range.begin, range.middle()}, curvature, halvings - 1) && is_below(point, {range.middle(), range.end}, curvature, halvings - 1);
   }
 };
+
+using Corner_pocket = Basic_corner_pocket<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -21,14 +21,21 @@ namespace internal {
 Two arcs that join nearly smoothly, seen from the side where their angle is more than 180 degrees, if the largest disks at the vertex are those of the curvature of one of them: the diagram has a tip there. From far away it is that of a smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the arc with the
 larger curvature.
 */
-class Corner_tip
+template <class Interval>
+class Basic_corner_tip
 {
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+
   const Site_graph_2& m_graph;
   const Front_part& m_part;
   const Front& m_front;
 
 public:
-  Corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
+  Basic_corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
 
   /*
   The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk touches it twice: so the disks leave no part of it out.
@@ -116,6 +123,8 @@ private:
     return result;
   }
 };
+
+using Corner_tip = Basic_corner_tip<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -19,29 +19,48 @@ Enclosures of the curvature of a disk and of its derivatives, by the parameter u
 
 Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
 */
-struct Curvature_bounds
+template <class Interval>
+struct Basic_curvature_bounds
 {
-  Interval value = any_number(), du = any_number(), dv = any_number(), dvv = any_number(), duv = any_number();
+  Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(), dvv = any_number<Interval>(), duv = any_number<Interval>();
   Interval factor{1};             // m
   bool is_below_vertex = false;   // another point, a common vertex of front and arc, has a larger curvature, or all are negative
 };
 
-inline Curvature_bounds hull(const Curvature_bounds& a, const Curvature_bounds& b)
+using Curvature_bounds = Basic_curvature_bounds<Interval>;
+
+template <class Interval>
+Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
 {
   return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), hull(a.factor, b.factor), a.is_below_vertex && b.is_below_vertex};
 }
 
 // A part of a front, with enclosures.
-struct Front_part
+template <class Interval>
+struct Basic_front_part
 {
+  using Front_jet = Basic_front_jet<Interval>;
+
   std::size_t front;
   Range range;
   Front_jet jet;
 };
 
-inline Curvature_bounds common_part(const Curvature_bounds& a, const Curvature_bounds& b)
+using Front_part = Basic_front_part<Interval>;
+
+inline const Front_part& in_doubles(const Front_part& part) { return part; }
+
+template <Enclosing_number Number>
+Front_part in_doubles(const Basic_front_part<Number>& part)
 {
-  Curvature_bounds result;
+  const auto& [point, point_derivative, normal, normal_derivative] = part.jet;
+  return {part.front, part.range, {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
+}
+
+template <class Interval>
+Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
+{
+  Basic_curvature_bounds<Interval> result;
   result.value = common_part(a.value, b.value);
   result.du = common_part(a.du, b.du);
   result.dv = common_part(a.dv, b.dv);
@@ -53,8 +72,12 @@ inline Curvature_bounds common_part(const Curvature_bounds& a, const Curvature_b
 }
 
 // f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
-struct Curvature_quotient
+template <class Interval>
+struct Basic_curvature_quotient
 {
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Curvature_quotient = Basic_curvature_quotient<Interval>;
+
   Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
   Interval factor{1};   // m
 
@@ -106,6 +129,8 @@ struct Curvature_quotient
     return k;
   }
 };
+
+using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -12,18 +12,27 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// What maximal disks may touch: a node of the tree, a range of an arc, or an isolated vertex.
-struct Disk_candidate
+// A node of the tree, a range of an arc, or an isolated vertex.
+enum class Candidate_kind { NODE, ARC, VERTEX };
+
+// What maximal disks may touch.
+template <class Interval>
+struct Basic_disk_candidate
 {
-  enum class Kind { NODE, ARC, VERTEX };
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+
+  using Kind = Candidate_kind;
 
   Kind kind;
   std::size_t index;
   Range range{};
   Curve_jet jet{};              // of an arc
   Curvature_bounds bounds{};    // over a part of a front and the range
-  Interval at_middle = any_number();   // the curvature for the middles of both
+  Interval at_middle = any_number<Interval>();   // the curvature for the middles of both
 };
+
+using Disk_candidate = Basic_disk_candidate<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -25,8 +25,19 @@ namespace internal {
 /*
 The candidates for the maximal disks of a front: those whose curvature may reach the largest one that is known to be attained.
 */
-class Disk_candidates
+template <class Interval>
+class Basic_disk_candidates
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Singular_ends = Basic_singular_ends<Interval>;
+
   static constexpr double least_width = 0x1p-46;
 
   const Site_graph_2& m_graph;
@@ -38,7 +49,7 @@ class Disk_candidates
 public:
   static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
 
-  Disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
+  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
 
   std::vector<Disk_candidate> all() const
   {
@@ -55,13 +66,13 @@ public:
   double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const
   {
     const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
-    const Interval shift = part.range.interval() - Interval(part.range.middle());
+    const Interval shift = interval_of<Interval>(part.range) - Interval(part.range.middle());
     Attained attained{Interval(0), Interval(0)};
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
-    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(part, candidate.index, candidate.range, candidate.jet); };
+    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet)); };
     const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
@@ -113,13 +124,15 @@ public:
   Interval_pair points(const Disk_candidate& candidate) const
   {
     switch (candidate.kind) {
-    case Disk_candidate::Kind::NODE: return m_tree.node(candidate.index).box;
+    case Disk_candidate::Kind::NODE: return box(candidate.index);
     case Disk_candidate::Kind::VERTEX: return m_graph.vertices()[candidate.index].point;
     default: return candidate.jet[0];
     }
   }
 
 private:
+  Interval_pair box(std::size_t node) const { return {m_tree.node(node).box[0], m_tree.node(node).box[1]}; }
+
   // A curvature that is attained for all disks, and the one that is attained by some point, as a function of the parameter of the front: its value in the middle, and its derivative.
   struct Attained
   {
@@ -139,7 +152,7 @@ private:
     const Interval difference = candidate.at_middle - attained.at_middle + (k.du - attained.slope) * shift;
     if (candidate.kind == Disk_candidate::Kind::VERTEX)
       return difference.sup() < 0;
-    return (difference + k.factor * k.dv * (candidate.range.interval() - Interval(candidate.range.middle()))).sup() < 0;
+    return (difference + k.factor * k.dv * (interval_of<Interval>(candidate.range) - Interval(candidate.range.middle()))).sup() < 0;
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
@@ -147,10 +160,10 @@ private:
   {
     Curvature_bounds& k = candidate.bounds;
     if (candidate.kind == Disk_candidate::Kind::NODE) {
-      k.value = m_curvature.through_box(part, m_tree.node(candidate.index).box);
+      k.value = m_curvature.through_box(part, box(candidate.index));
       return;
     }
-    const Interval shift_u = part.range.interval() - Interval(part.range.middle());
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(part.range.middle());
     Interval slope;
     if (candidate.kind == Disk_candidate::Kind::VERTEX) {
       k = m_curvature(part, candidate.index);
@@ -162,7 +175,7 @@ private:
       const Curve_jet jet = m_graph.arcs()[candidate.index].jet(point, 2);
       k = m_curvature(part, candidate.index, candidate.range, candidate.jet, middle, jet);
       const Curvature_bounds center = m_curvature(middle, candidate.index, point, jet);
-      const Interval shift_v = candidate.range.interval() - Interval(v);
+      const Interval shift_v = interval_of<Interval>(candidate.range) - Interval(v);
       candidate.at_middle = center.value;
       slope = m_curvature(part, candidate.index, point, jet, middle, jet).du;
       k.value = common_part(k.value, center.value + k.du * shift_u + k.factor * k.dv * shift_v);
@@ -183,7 +196,7 @@ private:
       return candidate.kind == Disk_candidate::Kind::VERTEX;
     if (candidate.range.width() < least_width)
       return true;
-    const auto size = [](const Interval_pair& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
+    const auto size = [](const auto& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
     const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds);
@@ -219,13 +232,15 @@ private:
   }
 };
 
+using Disk_candidates = Basic_disk_candidates<Interval>;
+
 // Takes those parts of an arc that are connected with a range, and extends that. Returns whether there are any.
-template <class Is_taken>
-bool take_connected(std::vector<Disk_candidate>& candidates, Range& range, const Is_taken& is_taken)
+template <class Interval, class Is_taken>
+bool take_connected(std::vector<Basic_disk_candidate<Interval>>& candidates, Range& range, const Is_taken& is_taken)
 {
   const std::size_t size = candidates.size();
   for (bool is_any = true; is_any;) {
-    const auto next = std::find_if(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.range.meets(range) && is_taken(c); });
+    const auto next = std::find_if(candidates.begin(), candidates.end(), [&](const auto& c) { return c.kind == Candidate_kind::ARC && c.range.meets(range) && is_taken(c); });
     is_any = next != candidates.end();
     if (is_any) {
       range = united(range, next->range);

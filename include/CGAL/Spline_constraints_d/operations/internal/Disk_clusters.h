@@ -24,8 +24,20 @@ namespace internal {
 /*
 The ranges of arcs that disks may touch over a part of a front, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
 */
-class Disk_clusters
+template <class Interval>
+class Basic_disk_clusters
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Corner_disks = Basic_corner_disks<Interval>;
+  using Fan_disks = Basic_fan_disks<Interval>;
+
 public:
   enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
 
@@ -57,7 +69,7 @@ private:
   bool m_are_known = true;
 
 public:
-  Disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
     : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_front(graph.fronts()[part.front]), m_least(least)
   {
     collect(candidates);
@@ -161,7 +173,7 @@ private:
     if (!m_front.is_fan || !segment.is_straight() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_front.object].is_exact)
       return std::nullopt;
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
-    const Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];
+    const typename Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];
     const Interval_pair to_begin = m_graph.vertices()[begin].point - fan.point, to_end = m_graph.vertices()[end].point - fan.point;
     if (begin == m_front.object || end == m_front.object || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(fan.exact_point))
       return std::nullopt;
@@ -367,6 +379,8 @@ private:
     return false;
   }
 };
+
+using Disk_clusters = Basic_disk_clusters<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -45,8 +45,21 @@ struct Disk_branch : Located_contact
 /*
 The branches of contacts over a part of a front that are left when candidates have been pruned.
 */
-class Disk_contacts
+template <class Interval>
+class Basic_disk_contacts
 {
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Disk_clusters = Basic_disk_clusters<Interval>;
+  using Curvature_expansion = Basic_curvature_expansion<Interval>;
+
   using Cluster = Disk_clusters::Cluster;
   using End_state = Disk_clusters::End_state;
 
@@ -59,7 +72,7 @@ class Disk_contacts
   bool m_are_known;
 
 public:
-  Disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  Basic_disk_contacts(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_front(graph.fronts()[part.front]),
       m_clusters(graph, curvature, slopes, part, candidates, least), m_are_known(m_clusters.are_known())
   {
@@ -419,10 +432,12 @@ private:
     return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
 
-  Interval shift_from_middle() const { return m_part.range.interval() - Interval(m_part.range.middle()); }
+  Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }
 
   Curvature_expansion expansion(const Located_contact& contact) const { return curvature_expansion(m_graph, m_curvature, m_part, contact); }
 };
+
+using Disk_contacts = Basic_disk_contacts<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

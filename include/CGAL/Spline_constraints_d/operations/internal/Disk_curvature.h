@@ -35,8 +35,23 @@ If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y
 
 which has one positive solution. Then each disk has such a point: none is a half-plane.
 */
-class Disk_curvature
+template <class Interval>
+class Basic_disk_curvature
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_jet = Basic_front_jet<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Curvature_quotient = Basic_curvature_quotient<Interval>;
+  using Fan_disks = Basic_fan_disks<Interval>;
+  using Scaled_sites = Basic_scaled_sites<Interval>;
+
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
   static constexpr double accurate = 0x1p-46;   // the relative error of a difference of points that cannot be much smaller
   static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
@@ -45,7 +60,7 @@ class Disk_curvature
   const Scaled_sites* m_scaled;   // none, or some sites, but none of a front in question
 
 public:
-  explicit Disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+  explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 
   const Scaled_sites* scaled_sites() const { return m_scaled; }
   bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
@@ -74,7 +89,7 @@ public:
   // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both factors where curves are nearly parallel.
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
   {
-    const Interval shift_u = part.range.interval() - Interval(middle.range.begin), shift_v = range.interval() - Interval(range.middle());
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
     const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, at_middle, jet_in_middle), shift_u, shift_v)
@@ -112,7 +127,7 @@ public:
     const Interval two(2), side(front.is_reversed ? -1 : 1);
     const Interval_pair d = box - x;
     const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, xuu)), fuu = two * (side * dot(nuu, d) - dot(nu, xu));
-    return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number();
+    return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number<Interval>();
   }
 
   // The disks that pass through points of a box. Those of half-planes do not matter.
@@ -124,7 +139,7 @@ public:
     k.q = squared_norm(d);
     if (m_scaled != nullptr)
       return hull(Interval(0), of_scaled_disk(k, part).value);
-    return k.f.sup() <= 0 ? Interval(0) : k.q.inf() > 0 ? k.f / k.q : any_number();
+    return k.f.sup() <= 0 ? Interval(0) : k.q.inf() > 0 ? k.f / k.q : any_number<Interval>();
   }
 
   // The disks that touch a front from within the circle that it lies on have the curvature of that.
@@ -192,9 +207,9 @@ private:
     if (y.has_singular_end()) {
       more.factor = y.tangent_factor(range);
       const bool is_divided = more.factor.inf() > 0;
-      more.dvv = is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number();
-      more.dv = is_divided ? more.dv / more.factor : any_number();
-      more.duv = is_divided ? more.duv / more.factor : any_number();
+      more.dvv = is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
+      more.dv = is_divided ? more.dv / more.factor : any_number<Interval>();
+      more.duv = is_divided ? more.duv / more.factor : any_number<Interval>();
     }
     result = common_part(result, more);
   }
@@ -287,8 +302,8 @@ private:
   */
   Curvature_bounds within_arc(const Front_part& part, std::size_t arc, const Range& range) const
   {
-    const Interval h = range.interval() - part.range.interval(), hh = CGAL::square(h);
-    const Interval middle = (range.interval() + part.range.interval()) / Interval(2);
+    const Interval h = interval_of<Interval>(range) - interval_of<Interval>(part.range), hh = CGAL::square(h);
+    const Interval middle = (interval_of<Interval>(range) + interval_of<Interval>(part.range)) / Interval(2);
     const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)), y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
     const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6);
     const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3], rest = (hh / Interval(48)) * x[4];
@@ -360,7 +375,7 @@ private:
     const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
     const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
     const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
-    return q.inf() > 0 ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q : any_number();
+    return q.inf() > 0 ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q : any_number<Interval>();
   }
 
   // A number of which only the sign is known, or not even that.
@@ -371,7 +386,7 @@ private:
   }
 
   // From an end of an arc, of the parameters of a range.
-  static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - range.interval() : range.interval(); }
+  static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range); }
 
   // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
   void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
@@ -414,6 +429,8 @@ private:
     result.is_below_vertex = e.sup() <= 0 || nb.sup() * square.inf() <= (std::min)(turn.inf(), 0.0);
   }
 };
+
+using Disk_curvature = Basic_disk_curvature<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

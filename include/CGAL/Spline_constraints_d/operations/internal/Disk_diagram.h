@@ -214,7 +214,7 @@ private:
     };
     if (m_graph.is_in_nearly_smooth_joint(front))
       for (const Arc_end& end : m_graph.vertices()[front.object].ends)
-        if (end.arc == other)
+        if (end.arc == other && located.range.meets({end.parameter(), end.parameter()}))
           return Attained_curvature{curvature(end), {end.parameter(), end.parameter()}};
     if (front.is_fan || !point.range.is_number())
       return std::nullopt;
@@ -419,10 +419,11 @@ Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fr
 {
   const Site_tree_2 tree(graph);
   const Cusps_2 cusps = Cusp_finder_2(graph, tree)();
+  const Fine_level fine_level(graph);
   std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(graph, tree, cusps)(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(graph, tree, cusps, &fine_level)(fronts[i]);
   });
   return Disk_diagram(graph, std::move(fronts), std::move(stretches));
 }

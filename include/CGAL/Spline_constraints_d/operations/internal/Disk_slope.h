@@ -254,7 +254,7 @@ private:
         result = result * t + Power_polynomial(*c);
       return result;
     };
-    const Site_arc_2& arc = graph.arcs()[end.arc];
+    const Exact_arc_2& arc = graph.arcs()[end.arc];
     const auto& [x, y, w] = arc.piece().coordinates;
     Polynomial_curve result{{polynomial(x), polynomial(y)}, polynomial(w), {}};
     for (std::size_t k = 0; k < 2; ++k)

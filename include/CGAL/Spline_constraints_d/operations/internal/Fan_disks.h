@@ -23,8 +23,17 @@ where e, c, s are smooth functions of t, and c < 0: the arc leaves the half-plan
 
 Near the vertex b > 0. So if a > 0 k increases with t; and if a < 0 and t^2 a / b is monotone it has one maximum in t for all w > 0, which moves into the vertex for w = 0.
 */
-class Fan_disks
+template <class Interval>
+class Basic_fan_disks
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Curvature_quotient = Basic_curvature_quotient<Interval>;
+
   Interval m_t, m_other_share;
   double m_direction;   // of the parameter of the arc, away from the vertex
   double m_share_sign;  // 1 - w or w is the share of n
@@ -34,7 +43,7 @@ class Fan_disks
 
 public:
   // For the normal in the begin or end of a fan, which is perpendicular to the arc, and points up to the end of a range.
-  Fan_disks(const Site_graph_2& graph, const Front_part& part, bool normal, const Arc_end& end, const Range& range)
+  Basic_fan_disks(const Site_graph_2& graph, const Front_part& part, bool normal, const Arc_end& end, const Range& range)
   {
     const Front& front = graph.fronts()[part.front];
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
@@ -42,9 +51,9 @@ public:
     m_direction = end.is_end ? -1 : 1;
     y[1] = Interval(m_direction) * y[1];
     y[3] = Interval(m_direction) * y[3];
-    m_t = end.is_end ? Interval(1) - range.interval() : range.interval();
-    m_share = normal ? part.range.interval() : Interval(1) - part.range.interval();
-    m_other_share = normal ? Interval(1) - part.range.interval() : part.range.interval();
+    m_t = end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range);
+    m_share = normal ? interval_of<Interval>(part.range) : Interval(1) - interval_of<Interval>(part.range);
+    m_other_share = normal ? Interval(1) - interval_of<Interval>(part.range) : interval_of<Interval>(part.range);
     m_share_sign = normal ? 1 : -1;
     const Interval half = Interval(1) / Interval(2), third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6), twelfth = Interval(1) / Interval(12), two(2);
     const Interval_pair &n = front.normals[normal], &m = front.normals[!normal];
@@ -101,6 +110,8 @@ private:
   Interval a() const { return e1 - e * s1 / s; }
   Interval b() const { return -c + m_t * (c1 - c * s1 / s); }
 };
+
+using Fan_disks = Basic_fan_disks<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -30,8 +30,11 @@ inline Range range_at(const Arc_end& end, double width) { return range_at(end.pa
 One side of an arc, or the normals of a vertex between two sides: what disks touch. Fronts are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
 from 1 to 0; and a fan clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
 */
-struct Front
+template <class Interval>
+struct Basic_front
 {
+  using Interval_pair = std::array<Interval, 2>;
+
   bool is_fan;
   std::size_t object;        // an arc, or a vertex
   bool is_reversed = false;  // the right side of an arc
@@ -41,27 +44,42 @@ struct Front
   std::size_t next = 0;      // where the traversal goes on
 };
 
+using Front = Basic_front<Interval>;
+
 // Enclosures of the point of a front, its normal, which has any length, and their derivatives.
-struct Front_jet
+template <class Interval>
+struct Basic_front_jet
 {
+  using Interval_pair = std::array<Interval, 2>;
+
   Interval_pair point, point_derivative, normal, normal_derivative;
 };
 
+using Front_jet = Basic_front_jet<Interval>;
+
 // The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there; of any size, if one of them is zero.
-struct Smooth_continuation
+template <class Interval>
+struct Basic_smooth_continuation
 {
   Arc_end end;
   Interval speed_ratio;
 };
 
+using Smooth_continuation = Basic_smooth_continuation<Interval>;
+
 // The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
-struct Nearly_smooth_continuation
+template <class Interval>
+struct Basic_nearly_smooth_continuation
 {
+  using Interval_pair = std::array<Interval, 2>;
+
   Arc_end end;
   double scale;
   Interval_pair jump;
   bool is_left_reflex;
 };
+
+using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

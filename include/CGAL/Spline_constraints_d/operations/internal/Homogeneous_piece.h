@@ -8,11 +8,11 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_interval.h>
-
-#include <CGAL/Interval_nt.h>
+#include <CGAL/Spline_constraints_d/operations/internal/interval_pairs.h>
 
 #include <array>
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -21,12 +21,24 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-using Interval = CGAL::Interval_nt<false>;
-using Interval_pair = std::array<Interval, 2>;
 using Interval_tensor = Bernstein_tensor<Interval>;
 using Parameter_range = std::pair<Exact_rational, Exact_rational>;
 
-inline Interval interval_of(const Exact_rational& x) { return Number_traits<Interval>::from_rational(x); }
+template <class Number = Interval>
+Number interval_of(const Exact_rational& x)
+{
+  if constexpr (std::same_as<Number, Interval>)
+    return Number_traits<Number>::from_rational(x);
+  else
+    return Number(x);
+}
+
+template <class Number>
+std::array<Number, 2> interval_pair_of(const Exact_pair& x)
+{
+  return {interval_of<Number>(x[0]), interval_of<Number>(x[1])};
+}
+
 inline Interval interval_of(const Parameter_range& range) { return Interval(to_double_interval(range.first).first, to_double_interval(range.second).second); }
 
 // A polynomial piece of a curve in homogeneous coordinates x, y, w on [0,1], and whether the curve has a tangent at its ends.

@@ -56,22 +56,25 @@ struct Located_contact
 };
 
 // The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
-struct Attained_curvature
+template <class Interval>
+struct Basic_attained_curvature
 {
   Interval curvature;
   Range range{};
 };
 
+using Attained_curvature = Basic_attained_curvature<Interval>;
+
 // A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
-template <class Curvature_at>
-Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
+template <class Interval, class Curvature_at>
+Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
   constexpr int most_steps = 60;
   const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
   Range bracket = range;
   double v = bracket.middle();
   for (int step = 0; step < most_steps; ++step) {
-    const Curvature_bounds k = at({v, v});
+    const auto k = at({v, v});
     const double slope = middle(k.dv), newton = v - slope / middle(k.dvv);
     if (std::isnan(slope))
       break;
@@ -85,14 +88,14 @@ Attained_curvature maximal_curvature(const Curvature_at& at, const Range& range)
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
     if (!(at({around.begin, around.begin}).dv.inf() > 0 && at({around.end, around.end}).dv.sup() < 0))
       continue;
-    const Curvature_bounds k = at(around), here = at({v, v});
-    const Interval step = around.interval() - Interval(v);
+    const auto k = at(around), here = at({v, v});
+    const Interval step = interval_of<Interval>(around) - Interval(v);
     Interval greatest = common_part(k.value, here.value + k.factor * k.dv * step);
     if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative; else k_v is as much as m times the derivative of such a function
       greatest = common_part(greatest, here.value + k.factor * common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
     return {greatest, around};
   }
-  return {any_number(), {v, v}};
+  return {any_number<Interval>(), {v, v}};
 }
 
 // Where there may be others that are too low: the part of a range around the best of some points, which are dense near its ends.
@@ -118,21 +121,23 @@ Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
 }
 
 // The only maximum of the curvature in a range of an arc that is not too low.
-inline Attained_curvature largest_curvature_on_arc(const Site_arc_2& arc, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+template <class Interval>
+Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
   const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
-  const auto is_high = [&](const Attained_curvature& k) { return k.curvature.inf() >= least; };
-  Attained_curvature result = maximal_curvature(at, located.range);
+  const auto is_high = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least; };
+  Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
   if (!is_high(result))
-    result = maximal_curvature(at, range_of_greatest_curvature(at, located.range));
+    result = maximal_curvature<Interval>(at, range_of_greatest_curvature(at, located.range));
   if (!is_high(result))
     result.curvature = Interval(least, std::numeric_limits<double>::infinity());
   return result;
 }
 
 // The curvature of the disk that touches a front in one point, and a contact.
-inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+template <class Interval>
+Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   switch (located.contact.kind) {
   case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
@@ -143,7 +148,8 @@ inline Attained_curvature largest_curvature(const Site_graph_2& graph, const Dis
 }
 
 // The derivative of that curvature by the parameter of the front, over a part: where k_v = 0 it is k_u.
-inline Interval slope_of_largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+template <class Interval>
+Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const std::size_t index = located.contact.index;
   switch (located.contact.kind) {
@@ -155,7 +161,8 @@ inline Interval slope_of_largest_curvature(const Site_graph_2& graph, const Disk
 }
 
 // The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is for k_v / m; k_uu where the largest one may be at an end of the range.
-inline Interval second_derivative_of_largest_curvature(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+template <class Interval>
+Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const std::size_t index = located.contact.index;
   if (located.contact.kind == Disk_contact::Kind::NOTHING)
@@ -163,23 +170,26 @@ inline Interval second_derivative_of_largest_curvature(const Site_graph_2& graph
   if (located.contact.kind == Disk_contact::Kind::VERTEX && !curvature.is_vertex_scaled(index))
     return curvature.second_derivative(part, graph.vertices()[index].point, curvature(part, index));
   if (located.contact.kind != Disk_contact::Kind::ARC || curvature.is_arc_scaled(index))
-    return any_number();
-  const Curve_jet jet = graph.arcs()[index].jet(located.range);
-  const Curvature_bounds k = curvature(part, index, located.range, jet);
+    return any_number<Interval>();
+  const Basic_curve_jet<Interval> jet = graph.arcs()[index].jet(located.range);
+  const Basic_curvature_bounds<Interval> k = curvature(part, index, located.range, jet);
   if (!(k.dvv.sup() < 0))
-    return any_number();
+    return any_number<Interval>();
   const auto slope_at = [&](double v) { return curvature(part, index, {v, v}, graph.arcs()[index].jet({v, v})).dv; };
   const bool is_inside = slope_at(located.range.begin).inf() > 0 && slope_at(located.range.end).sup() < 0;
   const Interval by_contact = k.factor * CGAL::square(k.duv) / -k.dvv;
   if (!(by_contact.inf() >= 0 && std::isfinite(by_contact.sup())))
-    return any_number();
+    return any_number<Interval>();
   return curvature.second_derivative(part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));
 }
 
 // The curvature of the disk that touches a contact, and its derivative, in the middle of a part; and its derivatives over the part.
-struct Curvature_expansion
+template <class Interval>
+struct Basic_curvature_expansion
 {
-  Interval at_middle = any_number(), slope_at_middle = any_number(), slope = any_number(), second_derivative = any_number();
+  using Curvature_expansion = Basic_curvature_expansion<Interval>;
+
+  Interval at_middle = any_number<Interval>(), slope_at_middle = any_number<Interval>(), slope = any_number<Interval>(), second_derivative = any_number<Interval>();
 
   Curvature_expansion operator-(const Curvature_expansion& other) const { return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope, second_derivative - other.second_derivative}; }
 
@@ -188,12 +198,15 @@ struct Curvature_expansion
   Interval derivative(const Interval& shift) const { return common_part(slope, slope_at_middle + second_derivative * shift); }
 };
 
-inline Curvature_expansion curvature_expansion(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Located_contact& located)
+using Curvature_expansion = Basic_curvature_expansion<Interval>;
+
+template <class Interval>
+Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const double u = part.range.middle();
-  const Front_part middle = curvature.part(part.front, {u, u});
-  const Attained_curvature greatest = largest_curvature(graph, curvature, middle, located);
-  Curvature_expansion result;
+  const Basic_front_part<Interval> middle = curvature.part(part.front, {u, u});
+  const Basic_attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
+  Basic_curvature_expansion<Interval> result;
   result.slope = slope_of_largest_curvature(graph, curvature, part, located);
   if (!std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
     return result;

@@ -10,10 +10,12 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Mirrored_disk.h>
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -51,41 +53,70 @@ The largest disks that touch a front and have no curve inside. Where u runs alon
 A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one stretch. If there are two, and the derivative of the difference has a sign, the
 signs of the difference at both ends tell whether they change places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in the end; and that at v = u, whether the disk touches the front before or after u: there is a tip of the diagram between.
 
-Ranges that become too small are left unresolved.
+What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least width. What these cannot decide is left unresolved.
 */
-class Maximal_disks
+template <class Interval>
+class Basic_maximal_disks
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Disk_candidates = Basic_disk_candidates<Interval>;
+  using Disk_contacts = Basic_disk_contacts<Interval>;
+  using Maximal_disks = Basic_maximal_disks<Interval>;
+  using Common_disk = Basic_common_disk<Interval>;
+  using Common_half_plane = Basic_common_half_plane<Interval>;
+  using Corner_pocket = Basic_corner_pocket<Interval>;
+  using Corner_tip = Basic_corner_tip<Interval>;
+  using Mirrored_disk = Basic_mirrored_disk<Interval>;
+
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
-  static constexpr double least_width = 0x1p-39, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
+  static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
+  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-48, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
+  static constexpr double most_fine_width = 0x1p-20;     // of parts for which the fine level is tried, each time after some halvings
+  static constexpr int halvings_between_fine_parts = 4;
+  static constexpr int most_fine_nodes = 50;            // that do not help, of a front
+  static constexpr std::size_t most_fine_candidates = 100;
+
+  template <class Other>
+  friend class Basic_maximal_disks;
 
   const Site_graph_2& m_graph;
+  const Site_tree_2& m_tree;
   Disk_curvature m_curvature;
   const Cusps_2* m_cusps;
   Disk_candidates m_candidates;
-  std::optional<Disk_slopes> m_slopes;
+  const Fine_level* m_fine_level;   // none on that level
+  Disk_slopes* m_slopes = nullptr;   // of the front
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
-  int m_nodes = 0, m_most_nodes = most_nodes;
+  int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
 
 public:
-  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps) : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps) {}
+  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Fine_level* fine_level = nullptr)
+    : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps, fine_level)
+  {}
 
   // With scaled sites. Where no disk touches these, contacts are not told apart: they are said to be with nothing.
-  Maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr)
-    : m_graph(graph), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps)
+  Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
+    : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps), m_fine_level(fine_level)
   {}
 
   // The stretches of a front in order; none if nothing could be resolved.
-  std::vector<Disk_stretch> operator()(std::size_t front)
+  std::vector<Disk_stretch> operator()(std::size_t front) requires(is_in_doubles)
   {
+    Disk_slopes slopes(m_graph, front);
+    m_slopes = &slopes;
     m_stretches.clear();
     m_unresolved.reset();
     m_nodes = 0;
     m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
-    m_slopes.emplace(m_graph, front);
+    m_fine_nodes = 0;
     Range range;
     for (const bool end : {false, true})
       if (const auto* cusp = cusp_at(front, end)) {
@@ -99,6 +130,16 @@ public:
     if (m_unresolved && !m_stretches.empty())
       m_stretches.back().events[1] = Disk_event::UNRESOLVED;
     return std::move(m_stretches);
+  }
+
+  // Those of a part of a front, if all of it can be resolved, and is divided no more often than some number.
+  std::optional<std::vector<Disk_stretch>> resolved(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes)
+  {
+    m_slopes = &slopes;
+    m_most_nodes = nodes;
+    sweep(front, range, std::move(candidates));
+    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[1] != Disk_event::UNRESOLVED; };
+    return !m_unresolved && std::all_of(m_stretches.begin(), m_stretches.end(), is_resolved) ? std::optional(std::move(m_stretches)) : std::nullopt;
   }
 
 private:
@@ -124,15 +165,45 @@ private:
     }
     if (resolve(part, candidates, least))
       return;
-    const double middle = range.begin + split_ratio * range.width();
-    if (range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes) {
+    const bool is_last = range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
+    if ((is_last || is_fine_level_tried(range)) && resolve_on_fine_level(front, range, candidates, is_last))
+      return;
+    if (is_last) {
       if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
         m_most_nodes = (std::min)(m_most_nodes, m_nodes);
       append_unresolved(range);
       return;
     }
+    const double middle = range.begin + split_ratio * range.width();
     sweep(front, {range.begin, middle}, candidates);
     sweep(front, {middle, range.end}, std::move(candidates));
+  }
+
+  // At some widths of parts, so that where doubles do not decide at all they need not be halved to the end.
+  static bool is_fine_level_tried(const Range& range)
+  {
+    const auto step = [](double width) { return std::ilogb(width) / halvings_between_fine_parts; };
+    return range.width() < most_fine_width && step(range.width()) != step(range.width() / (1 - split_ratio));
+  }
+
+  // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is not the last one.
+  bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
+  {
+    if constexpr (is_in_doubles) {
+      if (m_fine_level == nullptr || m_fine_nodes >= most_fine_nodes || candidates.size() > most_fine_candidates)
+        return false;
+      const auto& graph = m_fine_level->graph();
+      std::vector<Basic_disk_candidate<Fine_interval>> left;
+      for (const Disk_candidate& candidate : candidates)
+        left.push_back({candidate.kind, candidate.index, candidate.range, candidate.kind == Candidate_kind::ARC ? graph.arcs()[candidate.index].jet(candidate.range) : Basic_curve_jet<Fine_interval>()});
+      Basic_maximal_disks<Fine_interval> disks(graph, m_tree, m_fine_level->curvature(), m_cusps);
+      const auto stretches = disks.resolved(front, range, std::move(left), *m_slopes, is_last ? most_fine_nodes - m_fine_nodes : 0);
+      m_fine_nodes += disks.m_nodes;
+      if (stretches)
+        append(*stretches);
+      return stretches.has_value();
+    }
+    return false;
   }
 
   // Finds the stretches within a range, if there is at most one event.
@@ -218,7 +289,7 @@ private:
     append(first, {begin, event});
     append_event(Disk_event::CROSSING, last, {event, end});
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
-    corner.corner = Corner_end{pocket->end(), curvature};
+    corner.corner = Corner_end{pocket->end(), in_doubles(curvature)};
     return true;
   }
 
@@ -322,6 +393,18 @@ private:
     m_unresolved.reset();
   }
 
+  // Those of a range, of which the first one goes on with the last contact.
+  void append(const std::vector<Disk_stretch>& stretches)
+  {
+    const Disk_stretch& first = stretches.front();
+    for (const auto& [range, located] : first.boxes)
+      append(located, range);
+    m_stretches.back().events[1] = first.events[1];
+    if (first.corner)
+      m_stretches.back().corner = first.corner;
+    m_stretches.insert(m_stretches.end(), stretches.begin() + 1, stretches.end());
+  }
+
   // The diagram is not complete then: less is done for the rest of the front.
   void append_unresolved(const Range& range)
   {
@@ -332,6 +415,8 @@ private:
       m_unresolved = range;
   }
 };
+
+using Maximal_disks = Basic_maximal_disks<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -22,19 +22,29 @@ struct Touched_point
   Range range;
 };
 
-inline bool is_exact_arc(const Site_graph_2& graph, const Disk_contact& contact) { return contact.kind == Disk_contact::Kind::ARC && graph.is_exact({contact.index, false}) && graph.is_exact({contact.index, true}); }
+template <class Interval>
+bool is_exact_arc(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact)
+{
+  return contact.kind == Disk_contact::Kind::ARC && graph.is_exact({contact.index, false}) && graph.is_exact({contact.index, true});
+}
 
-inline bool is_exact_vertex(const Site_graph_2& graph, const Disk_contact& contact) { return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact; }
+template <class Interval>
+bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact)
+{
+  return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact;
+}
 
 // Whether the ends of two arcs are certain to be at different distances: no reflection maps one to the other then.
-inline bool have_different_chords(const Site_graph_2& graph, std::size_t a, std::size_t b)
+template <class Interval>
+bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_t a, std::size_t b)
 {
   const auto chord = [&](std::size_t arc) { return squared_norm(graph.vertices()[graph.vertex_of({arc, true})].point - graph.vertices()[graph.vertex_of({arc, false})].point); };
   return certain_sign(chord(a) - chord(b)) != 0;
 }
 
 // The reflections that map a contact to another one.
-inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Disk_contact& from, const Disk_contact& to)
+template <class Interval>
+std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_contact& from, const Disk_contact& to)
 {
   std::vector<Reflection_2> result;
   const auto append = [&](const std::optional<Reflection_2>& reflection) {
@@ -45,7 +55,7 @@ inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Di
     append(Reflection_2::of_points(graph.vertices()[from.index].exact_point, graph.vertices()[to.index].exact_point));
   if (!is_exact_arc(graph, from) || !is_exact_arc(graph, to))
     return result;
-  const Site_arc_2 &a = graph.arcs()[from.index], &b = graph.arcs()[to.index];
+  const Exact_arc_2 &a = graph.arcs()[from.index], &b = graph.arcs()[to.index];
   if (a.is_segment() && b.is_segment())
     return Reflection_2::of_lines(a, b);
   if (have_different_chords(graph, from.index, to.index))
@@ -56,14 +66,14 @@ inline std::vector<Reflection_2> reflections(const Site_graph_2& graph, const Di
 }
 
 // The range of the parameter of an arc that is the image of one of another arc; of segments as much as on their lines.
-inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Site_arc_2& from, const Range& range, const Site_arc_2& to)
+inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Exact_arc_2& from, const Range& range, const Exact_arc_2& to)
 {
   if (from.is_segment() && to.is_segment()) {
     const Exact_pair p = mirror(from.at(0)), q = mirror(from.at(1)), c = to.at(0), d = to.at(1), along{Exact_rational(d[0] - c[0]), Exact_rational(d[1] - c[1])};
     if (!to.is_on_line_or_circle(p) || !to.is_on_line_or_circle(q))
       return std::nullopt;
     const auto place = [&](const Exact_pair& x) { return Exact_rational(exact_dot(along, Exact_pair{Exact_rational(x[0] - c[0]), Exact_rational(x[1] - c[1])}) / exact_dot(along, along)); };
-    const Interval image = interval_of(place(p)) + interval_of(Exact_rational(place(q) - place(p))) * range.interval();
+    const Interval image = interval_of(place(p)) + interval_of<Interval>(Exact_rational(place(q) - place(p))) * range.interval();
     return Range{image.inf(), image.sup()};
   }
   if (mirror.maps(from, to, false))
@@ -73,7 +83,8 @@ inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Sit
 }
 
 // The image of a point if it is on another contact.
-inline std::optional<Touched_point> mirrored(const Site_graph_2& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_contact& contact)
+template <class Interval>
+std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_contact& contact)
 {
   if (is_exact_vertex(graph, point.contact) && is_exact_vertex(graph, contact) && mirror(graph.vertices()[point.contact.index].exact_point) == graph.vertices()[contact.index].exact_point)
     return Touched_point{contact, {}};
@@ -84,7 +95,8 @@ inline std::optional<Touched_point> mirrored(const Site_graph_2& graph, const Re
 }
 
 // Whether a point in which the curvature of disks through an arc is stationary is that of a contact: its range holds it, and the curvature is concave there.
-inline bool is_only_maximum(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Touched_point& point, const Located_contact& located)
+template <class Interval>
+bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Touched_point& point, const Located_contact& located)
 {
   if (located.contact.kind != Disk_contact::Kind::ARC)
     return true;

@@ -22,15 +22,21 @@ Disks of symmetric drawings, with centers on axes of symmetry, that touch a fron
 Let a contact lie on the mirror image of the front. Any disk that touches the front and the image of that point is its own image, so that the branch of the contact has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
 an axis as well, its images in that axis too. Each branch has one maximum, which is the image if it holds it.
 */
-class Mirrored_disk
+template <class Interval>
+class Basic_mirrored_disk
 {
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
   const Front_part& m_part;
   const std::vector<Disk_branch>& m_branches;
 
 public:
-  Mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const std::vector<Disk_branch>& branches)
+  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const std::vector<Disk_branch>& branches)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_branches(branches)
   {}
 
@@ -124,6 +130,8 @@ private:
     return image && is_only_maximum(m_graph, m_curvature, part, *image, branch) ? image : std::nullopt;
   }
 };
+
+using Mirrored_disk = Basic_mirrored_disk<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

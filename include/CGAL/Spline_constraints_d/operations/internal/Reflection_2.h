@@ -44,7 +44,7 @@ public:
   }
 
   // That of an arc to another one, or to itself, against its direction or along it; none if there is none.
-  static std::optional<Reflection_2> of_arcs(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed)
+  static std::optional<Reflection_2> of_arcs(const Exact_arc_2& a, const Exact_arc_2& b, bool is_reversed)
   {
     for (const int end : {0, 1})
       if (const auto result = of_points(a.at(end), b.at(is_reversed ? 1 - end : end)))
@@ -53,7 +53,7 @@ public:
   }
 
   // Those that map the line of a straight arc to that of another one; none if they are not rational.
-  static std::vector<Reflection_2> of_lines(const Site_arc_2& a, const Site_arc_2& b)
+  static std::vector<Reflection_2> of_lines(const Exact_arc_2& a, const Exact_arc_2& b)
   {
     const auto vector = [](const Exact_pair& p, const Exact_pair& q) { return Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])}; };
     const Exact_pair p = a.at(0), q = b.at(0), d = vector(p, a.at(1)), e = vector(q, b.at(1));
@@ -82,7 +82,7 @@ public:
   bool is_perpendicular(const Exact_pair& p, const Exact_pair& direction) const { return exact_dot(m_normal, p) == m_offset && sign_of(exact_cross(m_normal, direction)) == 0; }
 
   // Whether the image of an arc is another one, or itself, with the parameter 1 - t or t.
-  bool maps(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
+  bool maps(const Exact_arc_2& a, const Exact_arc_2& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
 };
 
 } // namespace internal

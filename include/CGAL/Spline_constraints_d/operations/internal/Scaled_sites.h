@@ -17,14 +17,17 @@ namespace Spline_constraints {
 namespace internal {
 
 // Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one does so when scaled by that number about its center.
-struct Scaled_sites
+template <class Interval>
+struct Basic_scaled_sites
 {
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+
   Exact_rational squared_factor;
   std::vector<bool> arcs, vertices;   // which are
   Interval excess;                    // squared_factor - 1
 
-  Scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
-    : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)), excess(interval_of(Exact_rational(square - 1)))
+  Basic_scaled_sites(const Exact_rational& square, std::vector<bool> is_arc_scaled, std::vector<bool> is_vertex_scaled)
+    : squared_factor(square), arcs(std::move(is_arc_scaled)), vertices(std::move(is_vertex_scaled)), excess(interval_of<Interval>(Exact_rational(square - 1)))
   {}
 
   // The vertices that are not on scaled arcs.
@@ -37,6 +40,8 @@ struct Scaled_sites
     return result;
   }
 };
+
+using Scaled_sites = Basic_scaled_sites<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -166,10 +166,11 @@ Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared
 {
   const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature curvature(*graph, scaled.get());
+  const Fine_level fine_level(*graph, scaled.get());
   std::vector<std::vector<Disk_stretch>> stretches(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature)(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature, nullptr, &fine_level)(fronts[i]);
   });
   return Sector_disks(std::move(graph), std::move(scaled), fronts, std::move(stretches));
 }

@@ -18,12 +18,20 @@ What is known next to ends of arcs in which the derivative is zero, and the curv
 The curvature of a disk through two points near such an end is a quotient of two numbers that are both nearly zero. But from the front with the normal N in a point X(u), which is perpendicular to D(u), Y(v) - X(u) is the integral of m D, and <N, D(s)> = (s - u) <N, D'> for some D' between: where <N, D'> <= 0, all of the
 arc is behind the line through X that is perpendicular to N, and no disk that touches the front passes through it.
 */
-class Singular_ends
+template <class Interval>
+class Basic_singular_ends
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+
   const Site_graph_2& m_graph;
 
 public:
-  explicit Singular_ends(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Basic_singular_ends(const Site_graph_2& graph) : m_graph(graph) {}
 
   // Whether no disk that touches the part of a front passes through a candidate, as this is behind it.
   bool is_behind(const Front_part& part, const Disk_candidate& candidate) const
@@ -93,6 +101,8 @@ private:
     return sign_of(exact_dot(m_graph.exact_normal(front, Exact_rational(u)), m_graph.direction(end))) <= 0 && dot(turn, b).sup() <= 0 && dot(m_graph.front_jet(front, {u, u}).normal, change).sup() <= 0;
   }
 };
+
+using Singular_ends = Basic_singular_ends<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -9,9 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_vertex_2.h>
 
 #include <algorithm>
 #include <array>
@@ -33,18 +31,19 @@ Curves as a planar graph of polynomial arcs and their ends: the arcs around each
 
 Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no fans; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
-class Site_graph_2
+template <class Interval>
+class Basic_site_graph_2
 {
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_jet = Basic_front_jet<Interval>;
+  using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+
 public:
-  struct Vertex
-  {
-    Exact_pair exact_point;
-    Interval_pair point;
-    std::vector<Arc_end> ends;          // of the arcs here, counterclockwise
-    std::vector<std::size_t> fans;
-    bool is_exact = true;
-    Interval_pair rest{Interval(0), Interval(0)};   // the exact point less the begin of the enclosure
-  };
+  using Vertex = Basic_site_vertex<Interval>;
 
   // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of that.
   struct Place_of_end
@@ -54,8 +53,6 @@ public:
   };
 
 private:
-  static constexpr double most_turn = 0x1p-20;   // of the direction where arcs join nearly smoothly
-
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::size_t> m_curve_of_arc;
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
@@ -69,23 +66,45 @@ private:
   std::vector<Coincident_parts_2> m_coincident_parts;
   bool m_is_proved = true;
 
+  template <class Other>
+  friend class Basic_site_graph_2;
+
 public:
+  Basic_site_graph_2() = default;
+
+  // The same graph with enclosures of another precision.
+  template <class Other>
+  explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
+    : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
+      m_continuations(other.m_arcs.size()), m_nearly_smooth_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved)
+  {
+    for (const Exact_arc_2& arc : other.m_arcs)
+      m_arcs.emplace_back(arc);
+    for (const auto& [exact_point, point, ends, fans, is_exact, rest] : other.m_vertices) {
+      Vertex& vertex = m_vertices.emplace_back(Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, fans, is_exact});
+      vertex.enclose();
+      for (const Arc_end& end : ends)
+        vertex.enclose_by_end(m_arcs[end.arc], end.is_end);
+    }
+    for (const auto& [is_fan, object, is_reversed, exact_normals, normals, perpendicular_ends, next] : other.m_fronts)
+      m_fronts.push_back({is_fan, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next});
+    for (const Vertex& vertex : m_vertices)
+      find_continuations(vertex);
+  }
+
   // The vertex with given coordinates.
   std::size_t add_point(const Exact_pair& point)
   {
     const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
-    if (is_new) {
-      const Interval_pair enclosed{interval_of(point[0]), interval_of(point[1])};
-      const auto rest = [&](std::size_t k) { return interval_of(Exact_rational(point[k] - Exact_rational(enclosed[k].inf()))); };
-      m_vertices.push_back({point, enclosed, {}, {}, true, {rest(0), rest(1)}});
-    }
+    if (is_new)
+      m_vertices.emplace_back(Vertex{point}).enclose();
     return position->second;
   }
 
   // A vertex next to a point, which is known by the arcs that end there.
   std::size_t add_crossing(const Exact_pair& near)
   {
-    m_vertices.push_back({near, {any_number(), any_number()}, {}, {}, false});
+    m_vertices.emplace_back(Vertex{near}).is_exact = false;
     return m_vertices.size() - 1;
   }
 
@@ -103,10 +122,8 @@ public:
     const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a), places[1] ? places[1]->vertex : add_point(b)};
     m_vertices_of_arc.push_back(vertices);
     for (const bool is_end : {false, true}) {
-      Vertex& vertex = m_vertices[vertices[is_end]];
-      vertex.ends.push_back({m_arcs.size(), is_end});
-      if (!vertex.is_exact)
-        vertex.point = common_part(vertex.point, arc.point({is_end ? 1.0 : 0.0, is_end ? 1.0 : 0.0}));
+      m_vertices[vertices[is_end]].ends.push_back({m_arcs.size(), is_end});
+      m_vertices[vertices[is_end]].enclose_by_end(arc, is_end);
     }
     m_arcs.push_back(std::move(arc));
   }
@@ -238,26 +255,13 @@ public:
     return front.is_fan && !m_vertices[front.object].ends.empty() && nearly_smooth_continuation(m_vertices[front.object].ends.front()).has_value();
   }
 
-  // Of each vertex, the index of the connected set of arcs and vertices that it belongs to.
-  std::vector<std::size_t> components_of_vertices() const
-  {
-    boost::disjoint_sets_with_storage<> sets(m_vertices.size());
-    for (const auto& [first, second] : m_vertices_of_arc)
-      sets.union_set(first, second);
-    std::map<std::size_t, std::size_t> index_of_root;
-    std::vector<std::size_t> result;
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      result.push_back(index_of_root.emplace(sets.find_set(v), index_of_root.size()).first->second);
-    return result;
-  }
-
   // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
   const Exact_pair& direction(const Arc_end& end) const { return m_directions[end.arc][end.is_end]; }
 
   Front_jet front_jet(const Front& front, const Range& range) const
   {
     if (front.is_fan) {
-      const Interval u = range.interval();
+      const Interval u = interval_of<Interval>(range);
       const Interval_pair difference = front.normals[1] - front.normals[0];
       return {m_vertices[front.object].point, {Interval(0), Interval(0)}, {front.normals[0][0] + u * difference[0], front.normals[0][1] + u * difference[1]}, difference};
     }
@@ -395,7 +399,7 @@ private:
         if (turn == 0 && !(goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a)))
           continue;
         else if (turn == 0)
-          m_continuations[a.arc][a.is_end] = {b, !has_ratio ? any_number() : is_exact(a) && is_exact(b) ? interval_of(ratio) : ratio_of_speeds(a, b, k)};
+          m_continuations[a.arc][a.is_end] = Smooth_continuation{b, !has_ratio ? any_number<Interval>() : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio) : ratio_of_speeds(a, b, k)};
         else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
           m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
@@ -414,21 +418,15 @@ private:
 
   Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
   {
-    const auto speed = [&](const Arc_end& end) { return CGAL::abs(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate]); };
+    const auto speed = [&](const Arc_end& end) { return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate])); };
     return speed(b) / speed(a);
-  }
-
-  static bool is_small_turn(const Exact_pair& p, const Exact_pair& q)
-  {
-    const Exact_rational most = Exact_rational(most_turn), sine = exact_cross(p, q), square = exact_dot(p, p) * exact_dot(q, q);
-    return sine * sine < most * most * square;
   }
 
   // From the derivatives of both arcs.
   static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s, const Exact_pair& t, double scale, bool is_left_reflex)
   {
     const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
-    const auto jump = [&](std::size_t k) { return interval_of(Exact_rational(away * t[k] - to_end * s[k])); };
+    const auto jump = [&](std::size_t k) { return interval_of<Interval>(Exact_rational(away * t[k] - to_end * s[k])); };
     return {b, scale, {jump(0), jump(1)}, is_left_reflex};
   }
 
@@ -472,8 +470,7 @@ private:
 
   std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
-    const auto enclosed = [](const Exact_pair& x) { return Interval_pair{interval_of(x[0]), interval_of(x[1])}; };
-    Front fan{true, vertex, false, {from, to}, {enclosed(from), enclosed(to)}};
+    Front fan{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
         if (sign_of(exact_dot(fan.exact_normals[k], direction(end))) == 0)
@@ -483,6 +480,8 @@ private:
     return m_fronts.size() - 1;
   }
 };
+
+using Site_graph_2 = Basic_site_graph_2<Interval>;
 
 inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
 {

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
+#include "voronoi_checks.h"
+
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <vector>
+
+using SC::Exact_rational;
+using SC::internal::Exact_arc_2;
+using SC::internal::Exact_pair;
+using SC::internal::Fine_interval;
+using SC::internal::Interval;
+using SC::internal::Range;
+
+// The least of what the enclosures of sites ask of a number.
+class Least_number
+{
+  Interval m_x{0};
+
+  Least_number(const Interval& x, int) : m_x(x) {}
+
+public:
+  Least_number() = default;
+  Least_number(double x) : m_x(x) {}
+  Least_number(double lower, double upper) : m_x(lower, upper) {}
+  Least_number(const Interval& x) : m_x(x) {}
+  explicit Least_number(const Exact_rational& x) : m_x(SC::internal::interval_of(x)) {}
+
+  double inf() const { return m_x.inf(); }
+  double sup() const { return m_x.sup(); }
+
+  Least_number& operator+=(const Least_number& y) { m_x += y.m_x; return *this; }
+  Least_number& operator-=(const Least_number& y) { m_x -= y.m_x; return *this; }
+  Least_number& operator*=(const Least_number& y) { m_x *= y.m_x; return *this; }
+  Least_number& operator/=(const Least_number& y) { m_x /= y.m_x; return *this; }
+  friend Least_number operator-(const Least_number& x) { return {-x.m_x, 0}; }
+  friend Least_number operator+(Least_number x, const Least_number& y) { return x += y; }
+  friend Least_number operator-(Least_number x, const Least_number& y) { return x -= y; }
+  friend Least_number operator*(Least_number x, const Least_number& y) { return x *= y; }
+  friend Least_number operator/(Least_number x, const Least_number& y) { return x /= y; }
+  friend Least_number hull(const Least_number& x, const Least_number& y) { return {SC::internal::hull(x.m_x, y.m_x), 0}; }
+  friend Least_number common_part(const Least_number& x, const Least_number& y) { return {SC::internal::common_part(x.m_x, y.m_x), 0}; }
+};
+
+namespace CGAL {
+
+template <>
+class Algebraic_structure_traits<Least_number> : public Algebraic_structure_traits_base<Least_number, Field_with_sqrt_tag>
+{
+public:
+  struct Square
+  {
+    using argument_type = Least_number;
+    using result_type = Least_number;
+    Least_number operator()(const Least_number& x) const { return x * x; }
+  };
+
+  struct Sqrt
+  {
+    using argument_type = Least_number;
+    using result_type = Least_number;
+    Least_number operator()(const Least_number& x) const { return {std::sqrt(x.inf()) * (1 - 0x1p-50), std::sqrt(x.sup()) * (1 + 0x1p-50)}; }
+  };
+};
+
+} // namespace CGAL
+
+static_assert(SC::internal::Enclosing_number<Least_number> && SC::internal::Enclosing_number<Fine_interval>);
+template class SC::internal::Basic_disk_curvature<Least_number>;
+
+SC::internal::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
+{
+  std::uniform_int_distribution<int> coordinate(-1000, 1000), weight(1, 9);
+  std::array<std::vector<Exact_rational>, 3> c;
+  for (int i = 0; i < 4; ++i) {
+    const Exact_rational w(is_rational ? weight(random) : 1);
+    c[0].push_back(w * coordinate(random) / 7);
+    c[1].push_back(w * coordinate(random) / 7);
+    c[2].push_back(w);
+  }
+  return {{0, 1}, {SC::Bernstein_tensor<Exact_rational>({3}, c[0]), SC::Bernstein_tensor<Exact_rational>({3}, c[1]), SC::Bernstein_tensor<Exact_rational>({3}, c[2])}};
+}
+
+// Whether a number is enclosed, up to an error relative to some size: the distance is computed on the fine level.
+bool is_enclosed_within(const Fine_interval& x, const Exact_rational& exact, double error)
+{
+  const Fine_interval difference = x - Fine_interval(exact);
+  return difference.inf() <= 0 && difference.sup() >= 0 && difference.sup() - difference.inf() <= error;
+}
+
+TEST(FineLevel, NumbersEncloseExactOnes)
+{
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> part(-100000, 100000);
+  for (int i = 0; i < 1000; ++i) {
+    const Exact_rational a = Exact_rational(part(random)) / 99991, b = Exact_rational(part(random) + 200001) / 99989;
+    const Fine_interval x(a), y(b);
+    EXPECT_TRUE(is_enclosed_within(x + y, a + b, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(x - y, a - b, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(x * y, a * b, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(x / y, a / b, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(CGAL::square(x), a * a, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(CGAL::square(CGAL::sqrt(y)), b, 0x1p-120));
+    EXPECT_TRUE(is_enclosed_within(common_part(hull(x, y), x), a, 0x1p-120));
+    EXPECT_LE(hull(x, y).inf(), (std::min)(x.inf(), y.inf()));
+    EXPECT_GE(hull(x, y).sup(), (std::max)(x.sup(), y.sup()));
+  }
+}
+
+TEST(FineLevel, NumbersThatAreNotBoundedEncloseAll)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Fine_interval& x : {Fine_interval(nan), Fine_interval(nan, 1), Fine_interval(2, 1), Fine_interval(infinity), Fine_interval(1) / Fine_interval(-1, 1), Fine_interval(-infinity, infinity) - Fine_interval(-infinity, infinity)}) {
+    EXPECT_EQ(x.inf(), -infinity);
+    EXPECT_EQ(x.sup(), infinity);
+    EXPECT_EQ(SC::internal::certain_sign(x), 0);
+  }
+  EXPECT_EQ((Fine_interval(0) * Fine_interval(-infinity, infinity)).sup(), 0);
+  EXPECT_EQ(CGAL::square(Fine_interval(-2, 1)).inf(), 0);
+  EXPECT_EQ(SC::internal::certain_sign(Fine_interval(0x1p-1074)), 1);
+}
+
+// In points, with 100 bits; over ranges, inside of the enclosures in doubles.
+TEST(FineLevel, EnclosuresOfArcs)
+{
+  const SC::Upward_rounding_guard guard;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> parameter(0, 1);
+  for (int i = 0; i < 40; ++i) {
+    const Exact_arc_2 exact(random_piece(random, i % 2 == 1));
+    const SC::internal::Site_arc_2 arc(exact);
+    const SC::internal::Basic_site_arc_2<Fine_interval> fine(exact);
+    for (int j = 0; j < 10; ++j) {
+      const double u = parameter(random), v = u + (1 - u) * parameter(random);
+      const auto at = fine.jet({u, u});
+      const Exact_pair point = exact.at(Exact_rational(u)), derivative = exact.derivative_at(Exact_rational(u));
+      const auto over = fine.jet({u, v});
+      const auto in_doubles = arc.jet({u, v});
+      for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_TRUE(is_enclosed_within(at[0][k], point[k], 0x1p-100));
+        EXPECT_TRUE(is_enclosed_within(at[1][k], derivative[k], 0x1p-100));
+        for (std::size_t order = 0; order <= SC::internal::jet_order; ++order) {
+          EXPECT_GE(over[order][k].inf(), in_doubles[order][k].inf());
+          EXPECT_LE(over[order][k].sup(), in_doubles[order][k].sup());
+        }
+      }
+    }
+  }
+}
+
+// Four cubics that are nearly an ellipse, with control points rounded: they join nearly smoothly, and their disks touch all of them nearly.
+Curves rounded_ellipse(double angle, double ratio, double unit)
+{
+  constexpr double k = 0.552285;
+  const auto rounded = [&](double x) { return std::round(x / unit) * unit; };
+  const auto at = [&](double x, double y) { return P(rounded(std::cos(angle) * x - std::sin(angle) * ratio * y), rounded(std::sin(angle) * x + std::cos(angle) * ratio * y)); };
+  Curves result;
+  double x = 1, y = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double next_x = -y, next_y = x;
+    result.push_back(bezier({at(x, y), at(x + k * next_x, y + k * next_y), at(next_x + k * x, next_y + k * y), at(next_x, next_y)}));
+    x = next_x;
+    y = next_y;
+  }
+  return result;
+}
+
+// With doubles alone some vertices of both stay unresolved.
+TEST(FineLevel, RoundedEllipses)
+{
+  for (const auto& [angle, ratio] : {std::pair(0.33, 1.5), std::pair(2.4, 1.5)}) {
+    const Curves curves = rounded_ellipse(angle, ratio, 0x1p-24);
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    EXPECT_TRUE(diagram.is_complete());
+    EXPECT_EQ(diagram.edges().size(), 15U);
+    expect_euler(diagram);
+    expect_empty_disks(diagram, curves, 0.02, 20);
+  }
+}
