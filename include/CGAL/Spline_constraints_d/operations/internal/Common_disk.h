@@ -21,7 +21,7 @@ namespace internal {
 /*
 A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_common_disk
 {
   using Interval_pair = std::array<Interval, 2>;

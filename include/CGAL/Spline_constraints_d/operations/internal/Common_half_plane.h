@@ -21,7 +21,7 @@ A half-plane that touches a front and several copies of it in a row, moved by mu
 
 Where <N(u), d> = 0, the half-plane of N has the points X(u) + s d on its boundary, and so that of each copy with the same parameter, where the copy has the same tangent: k = 0 and k_v = 0 there. Each branch has one maximum, which is that point if it holds it.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_common_half_plane
 {
   using Interval_pair = std::array<Interval, 2>;

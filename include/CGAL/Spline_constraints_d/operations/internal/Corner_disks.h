@@ -22,7 +22,7 @@ Disks that touch two arcs near their common vertex p, in an angle of less than 1
 
 and g is a smooth function with one maximum in m for small s, also for s = 0. If the other arc is scaled, g is the positive zero of |Z|^2 g^2 - 2 <N, Z> g - (c^2 - 1) |N|^2; the angle may have any size, and the maximum may be that of the vertex, m = 0.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_corner_disks
 {
   using Interval_pair = std::array<Interval, 2>;

@@ -23,7 +23,7 @@ Two arcs that join nearly smoothly, seen from the side where their angle is less
 Let the disk that touches the front in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the front between X and the corner touches something else in the pocket, and if nothing else is there, the
 other arc. Hence such points X form a range of the front that begins in the corner, and for this no disk has to be looked at.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_corner_pocket
 {
   using Interval_pair = std::array<Interval, 2>;

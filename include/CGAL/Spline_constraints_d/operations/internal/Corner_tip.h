@@ -21,7 +21,7 @@ namespace internal {
 Two arcs that join nearly smoothly, seen from the side where their angle is more than 180 degrees, if the largest disks at the vertex are those of the curvature of one of them: the diagram has a tip there. From far away it is that of a smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the arc with the
 larger curvature.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_corner_tip
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;

@@ -19,7 +19,7 @@ Enclosures of the curvature of a disk and of its derivatives, by the parameter u
 
 Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_curvature_bounds
 {
   Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(), dvv = any_number<Interval>(), duv = any_number<Interval>();
@@ -29,14 +29,14 @@ struct Basic_curvature_bounds
 
 using Curvature_bounds = Basic_curvature_bounds<Interval>;
 
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
 {
   return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), hull(a.factor, b.factor), a.is_below_vertex && b.is_below_vertex};
 }
 
 // A part of a front, with enclosures.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_front_part
 {
   using Front_jet = Basic_front_jet<Interval>;
@@ -57,7 +57,7 @@ Front_part in_doubles(const Basic_front_part<Number>& part)
   return {part.front, part.range, {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
 }
 
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interval>& a, const Basic_curvature_bounds<Interval>& b)
 {
   Basic_curvature_bounds<Interval> result;
@@ -72,7 +72,7 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
 }
 
 // f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_curvature_quotient
 {
   using Curvature_bounds = Basic_curvature_bounds<Interval>;

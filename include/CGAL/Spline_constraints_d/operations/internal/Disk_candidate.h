@@ -16,7 +16,7 @@ namespace internal {
 enum class Candidate_kind { NODE, ARC, VERTEX };
 
 // What maximal disks may touch.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_disk_candidate
 {
   using Curve_jet = Basic_curve_jet<Interval>;

@@ -25,7 +25,7 @@ namespace internal {
 /*
 The candidates for the maximal disks of a front: those whose curvature may reach the largest one that is known to be attained.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_disk_candidates
 {
   using Interval_pair = std::array<Interval, 2>;
@@ -235,7 +235,7 @@ private:
 using Disk_candidates = Basic_disk_candidates<Interval>;
 
 // Takes those parts of an arc that are connected with a range, and extends that. Returns whether there are any.
-template <class Interval, class Is_taken>
+template <Enclosing_number Interval, class Is_taken>
 bool take_connected(std::vector<Basic_disk_candidate<Interval>>& candidates, Range& range, const Is_taken& is_taken)
 {
   const std::size_t size = candidates.size();

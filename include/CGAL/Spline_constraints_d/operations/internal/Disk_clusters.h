@@ -24,7 +24,7 @@ namespace internal {
 /*
 The ranges of arcs that disks may touch over a part of a front, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_disk_clusters
 {
   using Interval_pair = std::array<Interval, 2>;

@@ -45,7 +45,7 @@ struct Disk_branch : Located_contact
 /*
 The branches of contacts over a part of a front that are left when candidates have been pruned.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_disk_contacts
 {
   using Curve_jet = Basic_curve_jet<Interval>;

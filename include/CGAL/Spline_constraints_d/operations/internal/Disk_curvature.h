@@ -35,7 +35,7 @@ If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y
 
 which has one positive solution. Then each disk has such a point: none is a half-plane.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_disk_curvature
 {
   using Interval_pair = std::array<Interval, 2>;

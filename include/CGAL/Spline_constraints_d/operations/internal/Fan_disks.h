@@ -23,7 +23,7 @@ where e, c, s are smooth functions of t, and c < 0: the arc leaves the half-plan
 
 Near the vertex b > 0. So if a > 0 k increases with t; and if a < 0 and t^2 a / b is monotone it has one maximum in t for all w > 0, which moves into the vertex for w = 0.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_fan_disks
 {
   using Interval_pair = std::array<Interval, 2>;

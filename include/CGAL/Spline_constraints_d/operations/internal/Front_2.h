@@ -30,7 +30,7 @@ inline Range range_at(const Arc_end& end, double width) { return range_at(end.pa
 One side of an arc, or the normals of a vertex between two sides: what disks touch. Fronts are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
 from 1 to 0; and a fan clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_front
 {
   using Interval_pair = std::array<Interval, 2>;
@@ -47,7 +47,7 @@ struct Basic_front
 using Front = Basic_front<Interval>;
 
 // Enclosures of the point of a front, its normal, which has any length, and their derivatives.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_front_jet
 {
   using Interval_pair = std::array<Interval, 2>;
@@ -58,7 +58,7 @@ struct Basic_front_jet
 using Front_jet = Basic_front_jet<Interval>;
 
 // The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there; of any size, if one of them is zero.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_smooth_continuation
 {
   Arc_end end;
@@ -68,7 +68,7 @@ struct Basic_smooth_continuation
 using Smooth_continuation = Basic_smooth_continuation<Interval>;
 
 // The arc that goes on in nearly that direction: with its parameter multiplied by a number the derivative has a small jump there. The angle is reflex on the left side of the way to that arc, or on the right one.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_nearly_smooth_continuation
 {
   using Interval_pair = std::array<Interval, 2>;

@@ -56,7 +56,7 @@ struct Located_contact
 };
 
 // The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_attained_curvature
 {
   Interval curvature;
@@ -66,7 +66,7 @@ struct Basic_attained_curvature
 using Attained_curvature = Basic_attained_curvature<Interval>;
 
 // A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
-template <class Interval, class Curvature_at>
+template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
   constexpr int most_steps = 60;
@@ -121,7 +121,7 @@ Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
 }
 
 // The only maximum of the curvature in a range of an arc that is not too low.
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
@@ -136,7 +136,7 @@ Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc
 }
 
 // The curvature of the disk that touches a front in one point, and a contact.
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   switch (located.contact.kind) {
@@ -148,7 +148,7 @@ Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<In
 }
 
 // The derivative of that curvature by the parameter of the front, over a part: where k_v = 0 it is k_u.
-template <class Interval>
+template <Enclosing_number Interval>
 Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const std::size_t index = located.contact.index;
@@ -161,7 +161,7 @@ Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, c
 }
 
 // The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is for k_v / m; k_uu where the largest one may be at an end of the range.
-template <class Interval>
+template <Enclosing_number Interval>
 Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const std::size_t index = located.contact.index;
@@ -184,7 +184,7 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
 }
 
 // The curvature of the disk that touches a contact, and its derivative, in the middle of a part; and its derivatives over the part.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_curvature_expansion
 {
   using Curvature_expansion = Basic_curvature_expansion<Interval>;
@@ -200,7 +200,7 @@ struct Basic_curvature_expansion
 
 using Curvature_expansion = Basic_curvature_expansion<Interval>;
 
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const double u = part.range.middle();

@@ -55,7 +55,7 @@ signs of the difference at both ends tell whether they change places, just once.
 
 What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least width. What these cannot decide is left unresolved.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_maximal_disks
 {
   using Interval_pair = std::array<Interval, 2>;
@@ -80,10 +80,10 @@ class Basic_maximal_disks
   static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
   static constexpr double most_fine_width = 0x1p-20;     // of parts for which the fine level is tried, each time after some halvings
   static constexpr int halvings_between_fine_parts = 4;
-  static constexpr int most_fine_nodes = 50;            // that do not help, of a front
-  static constexpr std::size_t most_fine_candidates = 100;
+  static constexpr int most_fine_nodes = 50;             // that do not help, of a front
+  static constexpr std::size_t most_fine_candidates = 100;   // of parts that are tried
 
-  template <class Other>
+  template <Enclosing_number Other>
   friend class Basic_maximal_disks;
 
   const Site_graph_2& m_graph;

@@ -22,20 +22,20 @@ struct Touched_point
   Range range;
 };
 
-template <class Interval>
+template <Enclosing_number Interval>
 bool is_exact_arc(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact)
 {
   return contact.kind == Disk_contact::Kind::ARC && graph.is_exact({contact.index, false}) && graph.is_exact({contact.index, true});
 }
 
-template <class Interval>
+template <Enclosing_number Interval>
 bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact)
 {
   return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact;
 }
 
 // Whether the ends of two arcs are certain to be at different distances: no reflection maps one to the other then.
-template <class Interval>
+template <Enclosing_number Interval>
 bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_t a, std::size_t b)
 {
   const auto chord = [&](std::size_t arc) { return squared_norm(graph.vertices()[graph.vertex_of({arc, true})].point - graph.vertices()[graph.vertex_of({arc, false})].point); };
@@ -43,7 +43,7 @@ bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_
 }
 
 // The reflections that map a contact to another one.
-template <class Interval>
+template <Enclosing_number Interval>
 std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_contact& from, const Disk_contact& to)
 {
   std::vector<Reflection_2> result;
@@ -83,7 +83,7 @@ inline std::optional<Range> mirrored_range(const Reflection_2& mirror, const Exa
 }
 
 // The image of a point if it is on another contact.
-template <class Interval>
+template <Enclosing_number Interval>
 std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_contact& contact)
 {
   if (is_exact_vertex(graph, point.contact) && is_exact_vertex(graph, contact) && mirror(graph.vertices()[point.contact.index].exact_point) == graph.vertices()[contact.index].exact_point)
@@ -95,7 +95,7 @@ std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph,
 }
 
 // Whether a point in which the curvature of disks through an arc is stationary is that of a contact: its range holds it, and the curvature is concave there.
-template <class Interval>
+template <Enclosing_number Interval>
 bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Touched_point& point, const Located_contact& located)
 {
   if (located.contact.kind != Disk_contact::Kind::ARC)

@@ -22,7 +22,7 @@ Disks of symmetric drawings, with centers on axes of symmetry, that touch a fron
 Let a contact lie on the mirror image of the front. Any disk that touches the front and the image of that point is its own image, so that the branch of the contact has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
 an axis as well, its images in that axis too. Each branch has one maximum, which is the image if it holds it.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_mirrored_disk
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;

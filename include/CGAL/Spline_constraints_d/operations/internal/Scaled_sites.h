@@ -17,7 +17,7 @@ namespace Spline_constraints {
 namespace internal {
 
 // Sites whose distances are divided by a number greater than 1, of which the square is given: a disk that touches one does so when scaled by that number about its center.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_scaled_sites
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;

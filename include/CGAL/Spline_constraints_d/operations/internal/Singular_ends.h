@@ -18,7 +18,7 @@ What is known next to ends of arcs in which the derivative is zero, and the curv
 The curvature of a disk through two points near such an end is a quotient of two numbers that are both nearly zero. But from the front with the normal N in a point X(u), which is perpendicular to D(u), Y(v) - X(u) is the integral of m D, and <N, D(s)> = (s - u) <N, D'> for some D' between: where <N, D'> <= 0, all of the
 arc is behind the line through X that is perpendicular to N, and no disk that touches the front passes through it.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_singular_ends
 {
   using Interval_pair = std::array<Interval, 2>;

@@ -6,15 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Exact_arc_2.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,19 +42,19 @@ inline Range united(const Range& a, const Range& b) { return {(std::min)(a.begin
 
 // Enclosures of the point of an arc and of its first derivatives over a range.
 constexpr std::size_t jet_order = 4;
-template <class Interval>
+template <Enclosing_number Interval>
 using Basic_curve_jet = std::array<std::array<Interval, 2>, jet_order + 1>;
 
 using Curve_jet = Basic_curve_jet<Interval>;
 
 // Whether the derivatives in any two points form an angle of less than 90 degrees: the curve goes away from each of its points.
-template <class Interval>
+template <Enclosing_number Interval>
 bool turns_by_less_than_right_angle(const Basic_curve_jet<Interval>& x)
 {
   return dot(x[1], x[1]).inf() > 0;
 }
 
-template <class Interval>
+template <Enclosing_number Interval>
 Basic_curve_jet<Interval> hull(const Basic_curve_jet<Interval>& a, const Basic_curve_jet<Interval>& b)
 {
   Basic_curve_jet<Interval> result;
@@ -79,7 +74,7 @@ Curve_jet in_doubles(const Basic_curve_jet<Number>& jet)
 }
 
 // A polynomial on [0,1] and its derivatives up to an order, by enclosed Bernstein coefficients.
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_polynomial_jet
 {
   std::array<std::vector<Interval>, jet_order + 1> m_rows;
@@ -156,7 +151,7 @@ using Polynomial_jet = Basic_polynomial_jet<Interval>;
 /*
 An arc that is a site, with enclosures of its derivatives up to the fourth. Where the ends of the site are not known exactly, the piece ends near them on the same curve, and enclosures are those of the site with the parameter that runs from 0 to 1 on it.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_site_arc_2 : public Exact_arc_2
 {
   using Interval_pair = std::array<Interval, 2>;

@@ -31,7 +31,7 @@ Curves as a planar graph of polynomial arcs and their ends: the arcs around each
 
 Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no fans; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
-template <class Interval>
+template <Enclosing_number Interval>
 class Basic_site_graph_2
 {
   using Interval_pair = std::array<Interval, 2>;
@@ -66,14 +66,14 @@ private:
   std::vector<Coincident_parts_2> m_coincident_parts;
   bool m_is_proved = true;
 
-  template <class Other>
+  template <Enclosing_number Other>
   friend class Basic_site_graph_2;
 
 public:
   Basic_site_graph_2() = default;
 
   // The same graph with enclosures of another precision.
-  template <class Other>
+  template <Enclosing_number Other>
   explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
     : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
       m_continuations(other.m_arcs.size()), m_nearly_smooth_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved)
@@ -416,6 +416,7 @@ private:
     return (b == next || b == last) && (!is_opposite(next) || !is_opposite(last) || (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
   }
 
+  // Of absolute values.
   Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
   {
     const auto speed = [&](const Arc_end& end) { return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate])); };

@@ -15,7 +15,7 @@ namespace Spline_constraints {
 namespace internal {
 
 // A point that is a site, or in which arcs end. Of one that is not known exactly, the exact point is next to it.
-template <class Interval>
+template <Enclosing_number Interval>
 struct Basic_site_vertex
 {
   using Interval_pair = std::array<Interval, 2>;
