@@ -8,7 +8,9 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +54,32 @@ public:
     return is_one_near(begin, between) && is_one_near(between, end);
   }
 
+  // Whether all of some centers are opposite to two parallel walls, between these, and the distance of the walls is no more than that of a disk.
+  bool are_walls_around(const Interval_pair& centers) const
+  {
+    const auto is_opposite = [&](std::size_t segment) {
+      const auto [a, b] = ends_of(segment);
+      const Interval_pair p = interval_pair_of<Interval>(a), d = interval_pair_of<Interval>(b) - p;
+      const Interval along = dot(d, centers - p);
+      return along.inf() >= 0 && along.sup() <= squared_norm(d).inf();
+    };
+    std::vector<std::size_t> walls;
+    std::copy_if(m_segments.begin(), m_segments.end(), std::back_inserter(walls), is_opposite);
+    for (const std::size_t s : walls)
+      for (const std::size_t t : walls) {
+        const auto [a, b] = ends_of(s);
+        const auto [c, e] = ends_of(t);
+        const Exact_pair d = exact_difference(b, a);
+        const Exact_rational height = exact_cross(d, exact_difference(c, a));
+        if (sign_of(exact_cross(d, exact_difference(e, c))) == 0 && height * height <= 4 * m_radius * m_radius * exact_dot(d, d)) {
+          const Interval of_centers = dot(turned_left(interval_pair_of<Interval>(d)), centers - interval_pair_of<Interval>(a));
+          if (sign_of(height) > 0 ? of_centers.inf() >= 0 && of_centers.sup() <= interval_of(height).inf() : of_centers.sup() <= 0 && of_centers.inf() >= interval_of(height).sup())
+            return true;
+        }
+      }
+    return false;
+  }
+
   // Whether the disk at an end of the front touches a vertex.
   bool touches_at_end(bool end, std::size_t vertex) const { return sign_of_reach(Exact_rational(end ? 1 : 0), vertex) == 0; }
 
@@ -63,6 +91,8 @@ private:
     if (m_graph.vertices()[vertex].is_exact && !is_own)
       m_vertices.push_back(vertex);
   }
+
+  std::array<Exact_pair, 2> ends_of(std::size_t arc) const { return {m_graph.arcs()[arc].at(0), m_graph.arcs()[arc].at(1)}; }
 
   Exact_pair point(const Exact_rational& u) const { return m_front.is_fan ? m_graph.vertices()[m_front.object].exact_point : m_graph.arcs()[m_front.object].at(u); }
 

@@ -78,6 +78,13 @@ public:
     return {Exact_rational(m_piece.coordinates[0](u) / w), Exact_rational(m_piece.coordinates[1](u) / w)};
   }
 
+  // Of a segment, the parameter of the foot of a point on its line.
+  Exact_rational parameter_of_foot(const Exact_pair& p) const
+  {
+    const Exact_pair a = at(0), b = at(1), d{Exact_rational(b[0] - a[0]), Exact_rational(b[1] - a[1])};
+    return exact_dot(d, Exact_pair{Exact_rational(p[0] - a[0]), Exact_rational(p[1] - a[1])}) / exact_dot(d, d);
+  }
+
   // A vector in the direction of the derivative; its length is that times the square of the weight.
   Exact_pair direction_at(const Exact_rational& t) const
   {

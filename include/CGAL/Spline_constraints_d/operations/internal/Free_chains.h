@@ -117,7 +117,7 @@ private:
     case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.front), last.kind);
     case Free_end::Kind::POINT: return piece_around_point(piece.front);
     case Free_end::Kind::CONTACT: return piece_across(piece, center(piece.front, last));
-    case Free_end::Kind::TIE: return piece_opposite(last);
+    case Free_end::Kind::TIE: return piece_with_disk(*last.disk);
     default: return none;
     }
   }
@@ -155,19 +155,24 @@ private:
     return none;
   }
 
-  // The piece that begins where another one ends because the disk is touched from opposite: it has the same disk, and the other normal.
-  std::size_t piece_opposite(const Free_end& last) const
+  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal.
+  std::size_t piece_with_disk(const Exact_disk& disk) const
   {
-    std::size_t result = none;
+    const auto has_disk = [&](std::size_t i, bool is_end) {
+      const Free_end& e = end(m_pieces[i], is_end);
+      return e.kind == Free_end::Kind::TIE && e.disk->center == disk.center;
+    };
+    std::vector<std::size_t> first, opposite;
+    std::size_t last = 0;
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-      const Free_end& first = end(m_pieces[i], false);
-      if (first.kind != Free_end::Kind::TIE || first.disk->center != last.disk->center || first.disk->way != Exact_pair{Exact_rational(-last.disk->way[0]), Exact_rational(-last.disk->way[1])})
-        continue;
-      if (result != none)
-        return none;
-      result = i;
+      last += has_disk(i, true);
+      if (has_disk(i, false)) {
+        first.push_back(i);
+        if (end(m_pieces[i], false).disk->way == Exact_pair{Exact_rational(-disk.way[0]), Exact_rational(-disk.way[1])})
+          opposite.push_back(i);
+      }
     }
-    return result;
+    return first.size() == 1 && last == 1 ? first[0] : opposite.size() == 1 ? opposite[0] : none;
   }
 
   // The piece that begins where another one ends in a second contact.

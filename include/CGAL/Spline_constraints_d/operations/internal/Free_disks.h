@@ -10,7 +10,9 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Opposite_sites.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Touching_disk.h>
 
 #include <CGAL/number_utils.h>
 
@@ -29,13 +31,14 @@ namespace internal {
 Where a disk of a given radius r that touches a front has no curve inside.
 
 With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the front, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one contact is
-left and K - T is monotone, its signs at both ends tell whether it has its only zero there.
+left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Opposite_sites, Covering_sites).
 */
 class Free_disks
 {
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have symmetries
   static constexpr double least_width = 0x1p-33;
   static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
+  static constexpr double width_of_inner_ties = 0x1p-20;   // of those where they are decided in the inside
   static constexpr int most_nodes = 2000;
   static constexpr int most_halvings = 12;
 
@@ -104,6 +107,10 @@ private:
 
   void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
   {
+    if (m_opposite_sites->touch(range)) {
+      append_tie(range);
+      return;
+    }
     const Front_part part = m_curvature.part(front, range);
     const double least = m_candidates.prune(part, candidates);
     const Interval wanted = wanted_curvature(part);
@@ -113,10 +120,12 @@ private:
     }
     if (range.width() < width_of_ties)
       std::erase_if(candidates, [&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() >= wanted.inf() && m_opposite_sites->contain(candidate); });
-    if (append_pocket(part, candidates))
+    if (append_pocket(part, candidates) || append_touching(part, candidates))
       return;
     const auto remove = [&](const auto& is_low) { return std::erase_if(candidates, is_low) > 0; };
     remove([&](const Disk_candidate& candidate) { return candidate.bounds.value.sup() < wanted.inf(); });
+    if (append_by_reach(part, candidates))
+      return;
     const auto is_below_in_parts = [&](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC && is_below(part, candidate.index, candidate.range, wanted.inf(), most_halvings); };
     if (resolve(part, candidates, least) || (remove(is_below_in_parts) && resolve(part, candidates, least)))
       return;
@@ -143,7 +152,7 @@ private:
   {
     const Covering_sites sites(m_graph, part.front, m_exact_radius, candidates);
     append_boundary({Free_end::Kind::UNDECIDED, part.range});
-    if (!sites.cover(part.range) && !is_covered_behind_end(part, sites))
+    if (!sites.cover(part.range) && !sites.are_walls_around(Front_offset(m_graph, part.front, m_radius).point(part.range)) && !is_covered_behind_end(part, sites))
       m_result.undecided.push_back(part.range);
   }
 
@@ -204,6 +213,60 @@ private:
     return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->contact(zero, wanted); });
   }
 
+  // Decides a part by expansions of second order. Candidates that are not held are removed.
+  bool append_by_reach(const Front_part& part, std::vector<Disk_candidate>& candidates)
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (candidates.empty())
+      return false;
+    const Disk_reach reach(m_graph, front, m_radius, part.range);
+    std::erase_if(candidates, [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO; });
+    for (const auto& [arc, range] : Touching_disk::parts_of_arcs(candidates))
+      switch (reach.hold_arc(arc, range)) {
+      case Held::YES: append_covered(); return true;
+      case Held::NO: std::erase_if(candidates, [&, &arc = arc, &range = range](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::ARC && c.index == arc && c.range.begin >= range.begin && c.range.end <= range.end; });
+      default: break;
+      }
+    if (candidates.empty())
+      append_free(part.range);
+    return candidates.empty();
+  }
+
+  // Decides a part that holds a disk with an exact contact: at an end of the front, or, if the part is short, where the parameter is the simplest number.
+  bool append_touching(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  {
+    const auto& [begin, end] = part.range;
+    if (part.range.width() > width_of_ties || !Touching_disk::is_defined(m_graph, part.front))
+      return false;
+    if (begin == 0 || end == 1)
+      return append_touching(part, candidates, Exact_rational(begin == 0 ? 0 : 1));
+    if (part.range.width() > width_of_inner_ties)
+      return false;
+    const std::vector<Exact_rational> parameters = Touching_disk::simple_parameters(m_graph, part, m_exact_radius, candidates);
+    return std::any_of(parameters.begin(), parameters.end(), [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
+  }
+
+  bool append_touching(const Front_part& part, const std::vector<Disk_candidate>& candidates, const Exact_rational& parameter)
+  {
+    Touching_disk touching(m_graph, part.front, m_exact_radius, parameter);
+    const auto sides = touching.sides(part.range, candidates);
+    if (!sides)
+      return false;
+    const Interval u = interval_of(parameter);
+    const Range before{part.range.begin, u.inf()}, behind{u.sup(), part.range.end};
+    const auto is_unknown = [](const Range& range, Held side) { return range.begin < range.end && side == Held::UNKNOWN; };
+    if (is_unknown(before, (*sides)[0]) || is_unknown(behind, (*sides)[1]))
+      return false;
+    const auto append_side = [&](const Range& range, Held side) {
+      if (range.begin < range.end)
+        side == Held::NO ? append_free(range) : append_covered();
+    };
+    append_side(before, (*sides)[0]);
+    append_boundary({Free_end::Kind::TIE, {u.inf(), u.sup()}, {}, {}, touching.disk()});
+    append_side(behind, (*sides)[1]);
+    return true;
+  }
+
   // The sign of K - T in a point, if K belongs to a contact.
   int sign_at(std::size_t front, const Located_contact& located, double u) const
   {
@@ -251,6 +314,13 @@ private:
       m_result.free.push_back({m_boundary, {}});
     m_is_free = true;
     m_result.free.back()[1] = {Free_end::Kind::FRONT_END, {range.end, range.end}};
+  }
+
+  // A part that is cut out in the end.
+  void append_tie(const Range& range)
+  {
+    append_boundary({Free_end::Kind::TIE, {range.begin, range.begin}});
+    m_boundary.location = {range.end, range.end};
   }
 
   void append_covered() { m_boundary = {Free_end::Kind::UNDECIDED}; }   // the next boundary tells what follows

@@ -14,13 +14,13 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// A disk between two points opposite to each other: its center, and the way there from the front.
-struct Disk_between
+// A disk that touches a front in a point that is known exactly: its center, and the way there from that point.
+struct Exact_disk
 {
   Exact_pair center, way;
 };
 
-// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; where it is touched from opposite, in a point known exactly (see Opposite_sites); or somewhere in a range that is not decided.
+// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; where it has one that is known exactly, as is the center of the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
 struct Free_end
 {
   enum class Kind { FRONT_END, POINT, CONTACT, TIE, UNDECIDED };
@@ -29,7 +29,7 @@ struct Free_end
   Range location{};             // holds the parameter
   Disk_contact contact{};       // the second one
   Range contact_location{};     // on an arc
-  std::optional<Disk_between> disk = std::nullopt;   // that is touched from opposite
+  std::optional<Exact_disk> disk = std::nullopt;   // with an exact second contact
 };
 
 using Free_range = std::array<Free_end, 2>;   // begin, end

@@ -90,6 +90,12 @@ public:
     return false;
   }
 
+  // Whether all disks of a range are known to be touched from opposite.
+  bool touch(const Range& range) const
+  {
+    return std::any_of(m_ties.begin(), m_ties.end(), [&](const Tie& tie) { return tie.begin < tie.end && tie.begin <= range.begin && tie.end >= range.end; });
+  }
+
   // Takes the places where disks are touched from ranges where they are free otherwise.
   void cut(Free_ranges& ranges)
   {
@@ -191,7 +197,7 @@ private:
   }
 
   // Whether an arc is outside of the disk at an end of a straight front, and behind its center: then it is outside of all other ones.
-  bool is_behind_last_disk(const Site_arc_2& arc, const std::array<std::vector<Exact_rational>, 3>& c) const
+  bool is_behind_last_disk(const Site_arc_2& arc, const std::array<std::vector<Exact_rational>, 3>& c)
   {
     const Exact_pair n = m_graph.exact_normal(m_front, 0);
     const auto ratio = rational_square_root(Exact_rational(m_square / (4 * exact_dot(n, n))));
@@ -200,8 +206,10 @@ private:
       for (std::size_t i = 0; i < c[2].size(); ++i)
         if (sign_of(exact_dot(outward, Exact_pair{Exact_rational(c[0][i] - center[0] * c[2][i]), Exact_rational(c[1][i] - center[1] * c[2][i])})) < 0)
           return false;
-      const std::vector<int> sides = sides_of_circle(arc, center, Exact_rational(m_square / 4));
-      return *std::min_element(sides.begin(), sides.end()) >= 0;
+      const auto touching = touching_ends(arc, sides_of_circle(arc, center, Exact_rational(m_square / 4)));
+      if (touching && std::any_of(touching->begin(), touching->end(), [&](const Exact_pair& y) { return y != p; }))
+        add_tie_at(end, exact_difference(center, p));
+      return touching.has_value();
     });
   }
 
@@ -264,9 +272,7 @@ private:
 
   void add_tie_of_segment(const Exact_pair& y, const Exact_pair& z)
   {
-    const Exact_pair a = own_arc().at(0), d = exact_difference(own_arc().at(1), a);
-    const auto parameter = [&](const Exact_pair& point) { return Exact_rational(exact_dot(d, exact_difference(point, a)) / exact_dot(d, d)); };
-    const Exact_rational first = parameter(y), last = parameter(z);
+    const Exact_rational first = own_arc().parameter_of_foot(y), last = own_arc().parameter_of_foot(z);
     m_ties.push_back({(std::min)(first, last), (std::max)(first, last), half(exact_difference(y, own_arc().at(first)))});
   }
 
@@ -275,8 +281,14 @@ private:
     const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
     if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, exact_difference(z, p))) > 0)
       return;
-    const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n)), u(end ? 1 : 0);
-    m_ties.push_back({u, u, {Exact_rational(share * n[0]), Exact_rational(share * n[1])}});
+    const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n));
+    add_tie_at(end, {Exact_rational(share * n[0]), Exact_rational(share * n[1])});
+  }
+
+  void add_tie_at(bool end, const Exact_pair& way)
+  {
+    const Exact_rational u(end ? 1 : 0);
+    m_ties.push_back({u, u, way});
   }
 
   void unite_ties()
@@ -291,11 +303,30 @@ private:
     m_ties = std::move(result);
   }
 
+  Exact_disk disk_at(const Exact_rational& u, const Exact_pair& way) const
+  {
+    const Exact_pair p = m_front.is_fan ? m_graph.vertices()[m_front.object].exact_point : own_arc().at(u);
+    return {{Exact_rational(p[0] + way[0]), Exact_rational(p[1] + way[1])}, way};
+  }
+
   Free_end end_at(const Exact_rational& u, const Exact_pair& way) const
   {
     const Interval x = interval_of(u);
-    const Exact_pair p = m_front.is_fan ? m_graph.vertices()[m_front.object].exact_point : own_arc().at(u);
-    return {Free_end::Kind::TIE, {(std::max)(x.inf(), 0.0), (std::min)(x.sup(), 1.0)}, {}, {}, Disk_between{{Exact_rational(p[0] + way[0]), Exact_rational(p[1] + way[1])}, way}};
+    return {Free_end::Kind::TIE, {(std::max)(x.inf(), 0.0), (std::min)(x.sup(), 1.0)}, {}, {}, disk_at(u, way)};
+  }
+
+  // Whether a disk touches a vertex, an end of an arc, or a segment. Then the contact begins there, as it does so once only where it may.
+  bool touches(const Exact_disk& disk, const Disk_contact& contact) const
+  {
+    const auto is_on_circle = [&](const Exact_pair& y) {
+      const Exact_pair d = exact_difference(y, disk.center);
+      return exact_dot(d, d) == exact_dot(disk.way, disk.way);
+    };
+    const auto is_touched = [&](std::size_t vertex) { return m_graph.vertices()[vertex].is_exact && is_on_circle(m_graph.vertices()[vertex].exact_point); };
+    if (contact.kind != Disk_contact::Kind::ARC)
+      return contact.kind == Disk_contact::Kind::VERTEX && is_touched(contact.index);
+    const Site_arc_2& arc = m_graph.arcs()[contact.index];
+    return std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({contact.index, end})); }) || (arc.is_segment() && is_on_circle(arc.at(arc.parameter_of_foot(disk.center))));
   }
 
   // A tie cuts off what is behind or before it. Where another end is as close as it is known, what is between is not decided.
@@ -306,9 +337,10 @@ private:
       parts.push_back(range);
       return;
     }
-    for (const Range& location : {first, last})
-      if (!location.is_number() && ((tie.begin >= location.begin && tie.begin <= location.end) || (tie.end >= location.begin && tie.end <= location.end)))
-        undecided.push_back(location);
+    for (const Free_end& end : range)
+      for (const Exact_rational& u : {tie.begin, tie.end})
+        if (end.kind != Free_end::Kind::TIE && !end.location.is_number() && u >= end.location.begin && u <= end.location.end && !touches(disk_at(u, tie.way), end.contact))
+          undecided.push_back(end.location);
     if (tie.begin > first.end)
       parts.push_back({range[0], end_at(tie.begin, tie.way)});
     if (tie.end < last.begin)
