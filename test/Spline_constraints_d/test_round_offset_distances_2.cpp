@@ -131,35 +131,33 @@ TEST(RoundOffsetDistances, RingBetweenCubics)
 }
 
 // Columns of different heights, some corners of which are round.
-TEST(RoundOffsetDistances, RandomDrawingsOnAGrid)
+TEST(RoundOffsetDistances, RandomDrawingOnAGrid)
 {
   std::mt19937 random(7);
   const auto number = [&](int least, int most) { return std::uniform_int_distribution<int>(least, most)(random); };
   int inside = 0;
-  for (int scene = 0; scene < 1; ++scene) {
-    std::vector<P> corners{P(0, 0)};
-    int x = 0, last = 0;
-    for (int k = 0; k < 4; ++k) {
-      const int height = last == 0 ? number(1, 6) : (last + number(1, 5)) % 6 + 1;
-      if (height == last)
-        continue;
-      if (k > 0)
-        corners.push_back(P(x, last));
-      corners.push_back(P(x, height));
-      x += number(1, 3);
-      last = height;
-    }
-    corners.push_back(P(x, last));
-    corners.push_back(P(x, 0));
-    std::reverse(corners.begin(), corners.end());
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      radii.push_back(number(0, 2) > 0 ? 0.5 : 0);
-    Curves curves;
-    append_rounded_polygon(curves, corners, radii);
-    const auto region = SC::planar_region(curves);
-    for (const double r : {-1.0, 0.5})
-      inside += expect_points_of_offset(curves, region, r, random);
+  std::vector<P> corners{P(0, 0)};
+  int x = 0, last = 0;
+  for (int k = 0; k < 4; ++k) {
+    const int height = last == 0 ? number(1, 6) : (last + number(1, 5)) % 6 + 1;
+    if (height == last)
+      continue;
+    if (k > 0)
+      corners.push_back(P(x, last));
+    corners.push_back(P(x, height));
+    x += number(1, 3);
+    last = height;
   }
+  corners.push_back(P(x, last));
+  corners.push_back(P(x, 0));
+  std::reverse(corners.begin(), corners.end());
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    radii.push_back(number(0, 2) > 0 ? 0.5 : 0);
+  Curves curves;
+  append_rounded_polygon(curves, corners, radii);
+  const auto region = SC::planar_region(curves);
+  for (const double r : {-1.0, 0.5})
+    inside += expect_points_of_offset(curves, region, r, random);
   EXPECT_GT(inside, 20);
 }

@@ -36,7 +36,7 @@ public:
     for (const Disk_candidate& candidate : candidates)
       if (candidate.kind == Disk_candidate::Kind::VERTEX)
         add_vertex(candidate.index);
-      else if (candidate.kind == Disk_candidate::Kind::ARC && (m_front.is_fan || candidate.index != m_front.object) && graph.is_exact({candidate.index, false}) && graph.is_exact({candidate.index, true})) {
+      else if (candidate.kind == Disk_candidate::Kind::ARC && (m_front.is_fan || candidate.index != m_front.object) && graph.are_ends_exact(candidate.index)) {
         add_vertex(graph.vertex_of({candidate.index, false}));
         add_vertex(graph.vertex_of({candidate.index, true}));
         if (graph.arcs()[candidate.index].is_straight())
@@ -48,7 +48,7 @@ public:
 
   bool cover(const Range& range) const
   {
-    if (!m_front.is_fan && !(m_graph.arcs()[m_front.object].is_segment() && m_graph.is_exact({m_front.object, false}) && m_graph.is_exact({m_front.object, true})))
+    if (!m_front.is_fan && !(m_graph.arcs()[m_front.object].is_segment() && m_graph.are_ends_exact(m_front.object)))
       return false;
     const Exact_rational begin(range.begin), end(range.end), between = simplest_rational_between(begin, end);
     return is_one_near(begin, between) && is_one_near(between, end);
@@ -94,7 +94,7 @@ private:
 
   std::array<Exact_pair, 2> ends_of(std::size_t arc) const { return {m_graph.arcs()[arc].at(0), m_graph.arcs()[arc].at(1)}; }
 
-  Exact_pair point(const Exact_rational& u) const { return m_front.is_fan ? m_graph.vertices()[m_front.object].exact_point : m_graph.arcs()[m_front.object].at(u); }
+  Exact_pair point(const Exact_rational& u) const { return m_graph.exact_point_at(m_front, u); }
 
   // Whether a vertex is in the disk, on its boundary or outside: 1, 0, -1.
   int sign_of_reach(const Exact_rational& u, std::size_t vertex) const

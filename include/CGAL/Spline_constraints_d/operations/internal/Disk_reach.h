@@ -83,10 +83,7 @@ public:
   }
 
   // Whether the disks hold a vertex, or a part of an arc.
-  Held hold_vertex(std::size_t index) const
-  {
-    return held_by_polynomial(in_middle().of_vertex(index), of_vertex(index));
-  }
+  Held hold_vertex(std::size_t index) const { return held_by_polynomial(in_middle().of_vertex(index), of_vertex(index)); }
 
   /*
   If there is a nearest point inside of the part, H has there a polynomial of degree two in the distance from the middle of the part of the front, with second derivatives from the box: errors are of the third order.

@@ -69,14 +69,14 @@ public:
   // Whether the front is an arc of a circle, and all of it is opposite to one of a circle with the same center.
   bool are_circles() const
   {
-    if (m_front.is_fan || !own_arc().circle() || !are_ends_exact(m_front.object))
+    if (m_front.is_fan || !own_arc().circle() || !m_graph.are_ends_exact(m_front.object))
       return false;
     const auto& [center, square] = *own_arc().circle();
     const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_front, 0), exact_difference(own_arc().at(0), center))) < 0;
     const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(exact_difference(x, center), exact_difference(y, center))) == 0 && sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0; };
     const auto is_opposite = [&](std::size_t index) {
       const Site_arc_2& arc = m_graph.arcs()[index];
-      if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside || !are_ends_exact(index))
+      if (!arc.circle() || arc.circle()->first != center || (arc.circle()->second < square) != is_inside || !m_graph.are_ends_exact(index))
         return false;
       const Exact_rational sum = square + arc.circle()->second - m_square;   // of squared radii: (R1 - R2)^2 = 4 r^2
       if (sign_of(sum) < 0 || sum * sum != 4 * square * arc.circle()->second)
@@ -112,7 +112,6 @@ public:
 private:
   const Site_arc_2& own_arc() const { return m_graph.arcs()[m_front.object]; }
   bool is_segment() const { return !m_front.is_fan && own_arc().is_segment(); }
-  bool are_ends_exact(std::size_t arc) const { return m_graph.is_exact({arc, false}) && m_graph.is_exact({arc, true}); }
 
   // The Bernstein coefficients of the coordinates and the weight, which is positive; none where that is not certain.
   static std::optional<std::array<std::vector<Exact_rational>, 3>> coefficients(const Site_arc_2& arc)
@@ -127,8 +126,8 @@ private:
 
   bool is_behind_tangent(bool end) const
   {
-    if (is_segment() || !are_ends_exact(m_front.object))
-      return is_segment() && are_ends_exact(m_front.object);
+    if (is_segment() || !m_graph.are_ends_exact(m_front.object))
+      return is_segment() && m_graph.are_ends_exact(m_front.object);
     const auto c = coefficients(own_arc());
     if (!c)
       return false;
@@ -184,7 +183,7 @@ private:
   bool add_arc(std::size_t index)
   {
     const Site_arc_2& arc = m_graph.arcs()[index];
-    if (!are_ends_exact(index))
+    if (!m_graph.are_ends_exact(index))
       return false;
     if (m_front.is_fan)
       return add_arc_beside_fan(arc);
@@ -305,7 +304,7 @@ private:
 
   Exact_disk disk_at(const Exact_rational& u, const Exact_pair& way) const
   {
-    const Exact_pair p = m_front.is_fan ? m_graph.vertices()[m_front.object].exact_point : own_arc().at(u);
+    const Exact_pair p = m_graph.exact_point_at(m_front, u);
     return {{Exact_rational(p[0] + way[0]), Exact_rational(p[1] + way[1])}, way};
   }
 
@@ -326,7 +325,10 @@ private:
     if (contact.kind != Disk_contact::Kind::ARC)
       return contact.kind == Disk_contact::Kind::VERTEX && is_touched(contact.index);
     const Site_arc_2& arc = m_graph.arcs()[contact.index];
-    return std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({contact.index, end})); }) || (arc.is_segment() && is_on_circle(arc.at(arc.parameter_of_foot(disk.center))));
+    if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({contact.index, end})); }))
+      return true;
+    const Exact_rational foot = arc.is_segment() ? arc.parameter_of_foot(disk.center) : Exact_rational(-1);
+    return foot >= 0 && foot <= 1 && is_on_circle(arc.at(foot));
   }
 
   // A tie cuts off what is behind or before it. Where another end is as close as it is known, what is between is not decided.

@@ -181,6 +181,7 @@ public:
 
   // Whether an arc ends where its piece does.
   bool is_exact(const Arc_end& end) const { return m_is_end_exact[end.arc][end.is_end]; }
+  bool are_ends_exact(std::size_t arc) const { return is_exact({arc, false}) && is_exact({arc, true}); }
 
   // Whether the derivative of an arc is not zero in an end, as far as that is known.
   bool is_regular(const Arc_end& end) const { return m_arcs[end.arc].zeros_of_derivative(end.is_end) == 0; }
@@ -292,7 +293,8 @@ public:
     return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(front, end.arc); });
   }
 
-  // The normal in a point of a front.
+  // A point of a front that ends exactly, and the normal there.
+  Exact_pair exact_point_at(const Front& front, const Exact_rational& u) const { return front.is_fan ? m_vertices[front.object].exact_point : m_arcs[front.object].at(u); }
   Exact_pair exact_normal(const Front& front, const Exact_rational& u) const
   {
     if (front.is_fan) {

@@ -50,15 +50,13 @@ class Touching_disk
 public:
   // At a parameter of a front that ends exactly.
   Touching_disk(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius, const Exact_rational& parameter)
-    : m_graph(graph), m_front(graph.fronts()[front]), m_radius(interval_of(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_normal(graph.exact_normal(m_front, parameter))
-  {
-    m_point = m_front.is_fan ? graph.vertices()[m_front.object].exact_point : graph.arcs()[m_front.object].at(parameter);
-  }
+    : m_graph(graph), m_front(graph.fronts()[front]), m_radius(interval_of(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_front, parameter)), m_normal(graph.exact_normal(m_front, parameter))
+  {}
 
   static bool is_defined(const Site_graph_2& graph, std::size_t front)
   {
     const Front& f = graph.fronts()[front];
-    return f.is_fan ? graph.vertices()[f.object].is_exact : are_ends_exact(graph, f.object);
+    return f.is_fan ? graph.vertices()[f.object].is_exact : graph.are_ends_exact(f.object);
   }
 
   struct Arc_part
@@ -140,8 +138,6 @@ public:
   const std::optional<Exact_disk>& disk() const { return m_disk; }
 
 private:
-  static bool are_ends_exact(const Site_graph_2& graph, std::size_t arc) { return graph.is_exact({arc, false}) && graph.is_exact({arc, true}); }
-
   // Whether the disk touches a point; then it is known.
   bool touches(const Exact_pair& y)
   {
@@ -178,7 +174,7 @@ private:
 
   std::array<Held, 2> sides_with_arc(const Disk_reach& reach, std::size_t arc, const Range& part)
   {
-    const std::optional<Exact_rational> b = are_ends_exact(m_graph, arc) ? touched_parameter(arc, part) : std::nullopt;
+    const std::optional<Exact_rational> b = m_graph.are_ends_exact(arc) ? touched_parameter(arc, part) : std::nullopt;
     if (!b) {
       const Held held = reach.hold_arc(arc, part);
       return {held, held};
