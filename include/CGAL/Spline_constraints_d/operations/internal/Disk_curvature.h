@@ -108,7 +108,7 @@ public:
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
-          result = common_part(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
+          add_by_front(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
     return result;
   }
 
@@ -167,6 +167,13 @@ public:
   }
 
 private:
+  // What more is known of the disks through a vertex, which has no parameter, from those through the end of an arc.
+  static void add_by_front(Curvature_bounds& result, const Curvature_bounds& more)
+  {
+    result.value = common_part(result.value, more.value);
+    result.du = common_part(result.du, more.du);
+  }
+
   // Where several arcs leave a vertex in the same direction, that on the side from which disks touch them.
   std::optional<Arc_end> next_on_side_of(const Front_part& part, const Arc_end& end) const
   {
