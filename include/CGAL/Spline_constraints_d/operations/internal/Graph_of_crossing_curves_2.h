@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_GRAPH_OF_CROSSING_CURVES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_GRAPH_OF_CROSSING_CURVES_2_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curve_crossings_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 
@@ -27,6 +28,7 @@ class Graph_of_crossing_curves
 public:
   Graph_of_crossing_curves(const Curve_crossings_2& crossings, const std::vector<Site_curve_2>& curves, const std::vector<Exact_pair>& points) : m_crossings(crossings), m_vertices(crossings.size())
   {
+    const Upward_rounding_guard guard;
     for (std::size_t i = 0; i < curves.size(); ++i)
       for (const Homogeneous_piece& piece : curves[i].pieces)
         add_parts(piece, i);

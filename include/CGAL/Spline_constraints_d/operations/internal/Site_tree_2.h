@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_TREE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_TREE_2_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <algorithm>
@@ -44,6 +45,7 @@ public:
   // Vertices on arcs are sites as well if that is asked for.
   explicit Site_tree_2(const Site_graph_2& graph, const std::vector<bool>& are_sites = {})
   {
+    const Upward_rounding_guard guard;
     for (std::size_t i = 0; i < graph.arcs().size(); ++i)
       m_items.push_back({true, i, graph.arcs()[i].point(Range())});
     for (std::size_t i = 0; i < graph.vertices().size(); ++i)

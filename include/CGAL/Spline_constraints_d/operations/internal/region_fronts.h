@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_FRONTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_FRONTS_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace internal {
 template <class Region>
 std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
 {
+  const Upward_rounding_guard guard;
   auto graph = std::make_shared<Site_graph_2>();
   for (std::size_t c = 0; c < region.curves().size(); ++c)
     for (const Homogeneous_piece& piece : homogeneous_pieces(region.curves()[c], Planar_map(region.curves()[c])))

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPHS_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <cstddef>
@@ -38,6 +39,7 @@ void add_sites(Site_graph_2& graph, const CGAL::Point_2<Kernel>& point, std::siz
 template <class Curves, class Points>
 std::shared_ptr<const Site_graph_2> site_graph(const Curves& curves, const Points& points)
 {
+  const Upward_rounding_guard guard;
   auto graph = std::make_shared<Site_graph_2>();
   std::size_t index = 0;
   for (const auto& curve : curves)
