@@ -194,14 +194,56 @@ private:
       return pieces.append(Piece::IRRELEVANT);
     const Value g = at(a.interval(), m.interval(), false);
     const Interval centered = at(a.interval(), Interval(m.middle()), false).value + g.by_ratio * (m.interval() - Interval(m.middle()));
-    const Piece found = piece(common_part(g.value, centered), g.by_ratio);
+    Piece found = piece(common_part(g.value, centered), g.by_ratio);
+    if (found == Piece::UNKNOWN && is_zero_in_corner(false) && !(a.begin > 0) && !(m.begin > 0))
+      found = piece_of_dominant_sign(a.end, m.end, false);
     if (found != Piece::UNKNOWN || depth == most_depth)
       return pieces.append(found);
     return append_ratios(a, {m.begin, m.middle()}, depth + 1, is_irrelevant, pieces) && append_ratios(a, {m.middle(), m.end}, depth + 1, is_irrelevant, pieces);
   }
 
-  // Whether h(0,0) = 0.
-  bool is_zero_in_far_corner() const { return is_zero_number(m_rows[0].back()); }
+  // Whether g(0,0) = 0 or h(0,0) = 0.
+  bool is_zero_in_corner(bool is_far) const { return is_zero_number(is_far ? m_rows[0].back() : m_rows[0].front()); }
+
+  /*
+  The sign of g or h for positive radii and ratios up to some numbers, if each term of the other sign is a multiple of a term of this sign, and all of these multiples are less than 1 together.
+  */
+  Piece piece_of_dominant_sign(double radius, double ratio, bool is_far) const
+  {
+    struct Term
+    {
+      std::size_t radius, ratio;   // exponents
+      Interval coefficient;
+    };
+    std::array<std::vector<Term>, 2> terms;   // with negative coefficients, and with positive ones
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      for (std::size_t k = 0; k < m_rows[i].size(); ++k)
+        if (const Interval& c = m_rows[i][k]; !is_zero_number(c) && certain_sign(c) == 0)
+          return Piece::UNKNOWN;
+        else if (!is_zero_number(c))
+          terms[c.inf() > 0].push_back({i, is_far ? m_rows[i].size() - 1 - k : k, CGAL::abs(c)});
+    const auto power = [](double x, std::size_t exponent) {
+      Interval result(1);
+      for (; exponent > 0; --exponent)
+        result *= Interval(x);
+      return result;
+    };
+    const auto is_dominant = [&](bool sign) {
+      std::vector<Term> left = terms[sign];   // with what is left of their coefficients
+      return std::all_of(terms[!sign].begin(), terms[!sign].end(), [&](const Term& other) {
+        const auto is_better = [&](const Term& a, const Term& b) {
+          const auto divides = [&](const Term& t) { return t.radius <= other.radius && t.ratio <= other.ratio; };
+          return std::pair(divides(a), a.coefficient.inf()) < std::pair(divides(b), b.coefficient.inf());
+        };
+        const auto best = std::max_element(left.begin(), left.end(), is_better);
+        if (best == left.end() || best->radius > other.radius || best->ratio > other.ratio)
+          return false;
+        best->coefficient -= other.coefficient * power(radius, other.radius - best->radius) * power(ratio, other.ratio - best->ratio);
+        return best->coefficient.inf() > 0;
+      });
+    };
+    return is_dominant(true) ? Piece::POSITIVE : is_dominant(false) ? Piece::NEGATIVE : Piece::UNKNOWN;
+  }
 
   // By the derivatives of h, where h(0,0) = 0: along the path its derivative is h_b - (l/b) h_l.
   static Piece piece_at_far_corner(const Value& h)
@@ -228,7 +270,10 @@ private:
     if (is_irrelevant(Chart_range{b.interval(), l, true}))
       return pieces.append(Piece::IRRELEVANT);
     const Value h = at(b.interval(), l, true);
-    const Piece found = is_zero_in_far_corner() && !(least > 0) && !(b.begin > 0) ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
+    const bool is_corner = is_zero_in_corner(true) && !(least > 0) && !(b.begin > 0);
+    Piece found = is_corner ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
+    if (is_corner && found == Piece::UNKNOWN)
+      found = piece_of_dominant_sign(b.end, most, true);
     if (found != Piece::UNKNOWN || depth == most_far_depth)
       return pieces.append(found);
     // Paths pass large l and small b first.

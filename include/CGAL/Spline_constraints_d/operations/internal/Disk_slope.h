@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Blown_up_polynomial.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curvature_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/powers_of_zeros.h>
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,9 @@ public:
   Disk_slope(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end, bool is_by_distance)
   {
     const Arc_end own{front.object, front_end};
-    m_is_singular = (front.is_fan ? front.object : graph.vertex_of(own)) == graph.vertex_of(end) && !(graph.is_regular(end) && (front.is_fan || graph.is_regular(own)));
+    const bool do_meet = (front.is_fan ? front.object : graph.vertex_of(own)) == graph.vertex_of(end);
+    const auto is_stationary = [&](const Arc_end& e) { return graph.arcs()[e.arc].is_curvature_stationary(e.is_end); };
+    m_is_singular = do_meet && !(graph.is_regular(end) && (front.is_fan || graph.is_regular(own)));
     const bool is_own = !front.is_fan && own == end;
     if (is_by_distance)
       find_powers(graph, front, front_end, end);
@@ -79,8 +82,10 @@ public:
         z[k] = y.point[k] * x.weight - x.point[k] * y.weight;
       weight = x.weight;
     }
-    const int squares = is_own && m_is_singular ? 1 : 0;   // of b - a, in <N, Z> and in |Z|^2
+    const int squares = is_own ? 1 : 0;   // of b - a, in <N, Z> and in |Z|^2
     const Power_polynomial nz = product(normal, z), slope = product(normal, y.tangent) * product(z, z) - Power_polynomial(2) * nz * product(z, y.tangent);
+    if (is_by_distance && do_meet && !m_is_singular && (is_stationary(end) || (!front.is_fan && is_stationary(own))))
+      find_powers(slope);
     m_sign_of_value = Blown_up_polynomial::without_common_powers(with_powers(without_difference(nz, 2 * squares) * weight * y.weight));
     m_slope = Blown_up_polynomial::without_common_powers(with_powers(without_difference(slope, 4 * squares)));
     m_numerator = Blown_up_polynomial(with_powers(Power_polynomial(2) * without_difference(nz, 2 * squares) * y.weight));
@@ -158,6 +163,13 @@ private:
     const int a = graph.arcs()[own.arc].zeros_of_derivative(own.is_end) + 1, b = graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1, common = std::gcd(a, b);
     m_front_power = b / common;
     m_arc_power = a / common;
+  }
+
+  // Next to a vertex of a curve, with powers that are proportional where the slope is zero.
+  void find_powers(const Power_polynomial& slope)
+  {
+    if (const auto powers = powers_of_zeros(slope))
+      std::tie(m_front_power, m_arc_power) = *powers;
   }
 
   // With the parameters replaced by powers.
