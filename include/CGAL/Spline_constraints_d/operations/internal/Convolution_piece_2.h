@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_PIECE_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Chord_cone_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Traced_curve_2.h>
 
@@ -80,6 +81,13 @@ public:
   // Whether it turns to one side, by at most 45 degrees, or not at all.
   bool is_convex() const { return element(1 - m_turning).turn != Turn::UNKNOWN; }
 
+  // The directions of chords from an end, if its direction and that of the other end are known.
+  std::optional<Chord_cone_2> chord_cone(int end) const
+  {
+    const auto &first = m_ends[0].direction, &last = m_ends[1].direction;
+    return is_convex() && first && last ? std::optional<Chord_cone_2>(std::in_place, *first, *last, end) : std::nullopt;
+  }
+
   // Both parts, cut where the parameter is a rational number within the inner range.
   std::array<Convolution_piece_2, 2> split(const Exact_rational& t, const Exact_pair& point) const
   {
@@ -124,7 +132,7 @@ public:
     const Range inner = inner_range();
     if (!place || !(inner.begin < place->end && place->begin < inner.end))
       return std::nullopt;
-    const std::optional<Exact_rational> t = simple_number(*place);
+    const std::optional<Exact_rational> t = moving_arc().is_segment() ? parameter_on_line(point, to_rational(place->middle())) : simple_number(*place);
     if (!t || !(to_rational(inner.begin) < *t && *t < to_rational(inner.end)) || exact_point(*t) != point)
       return std::nullopt;
     return t;
@@ -210,6 +218,16 @@ public:
   }
 
 private:
+  // On a segment, the parameter of a point of its line; some other one tells where that is.
+  std::optional<Exact_rational> parameter_on_line(const Exact_pair& point, const Exact_rational& other) const
+  {
+    const std::optional<Exact_pair> p = exact_point(other);
+    if (!p)
+      return std::nullopt;
+    const Exact_pair q = moving_arc().at(other);
+    return moving_arc().parameter_of_foot({Exact_rational(point[0] - (*p)[0] + q[0]), Exact_rational(point[1] - (*p)[1] + q[1])});
+  }
+
   // Enlarges a range by the parts of another one that a point may be on.
   void append_place(const Interval_pair& point, const Range& part, std::optional<Range>& place) const
   {

@@ -4,6 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SUM_BOUNDARY_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SUM_BOUNDARY_2_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Boundary_balance_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Chord_cone_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_graph_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Crossing_finder_2.h>
@@ -18,6 +20,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,11 +80,7 @@ public:
     for (int round = 0; round < most_rounds && m_graph.split_at(possible_vertices()); ++round)
       cut_pieces();
     report_contacts();
-    std::vector<Section> sections;
-    for (const Chain& chain : linked(all_sections(), false))
-      if (is_on_boundary(chain))
-        sections.insert(sections.end(), chain.sections.begin(), chain.sections.end());
-    m_chains = linked(sections, true);
+    m_chains = linked(boundary_sections(convolution.doubtful()), true);
     check_chains();
   }
 
@@ -109,7 +108,7 @@ private:
     }
     for (std::size_t i = 0; i < m_curves.size(); ++i)
       for (std::size_t j = i + 1; j < m_curves.size(); ++j)
-        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()))
+        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j))
           for (const Crossing_2& crossing : Crossing_finder_2(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))())
             add_crossing(i, j, crossing);
     for (std::vector<Cut>& cuts : m_cuts)
@@ -124,6 +123,18 @@ private:
     for (const Traced_curve_2& curve : m_curves)
       box = hull(box, curve.whole().box());
     return (std::max)(box[0].sup() - box[0].inf(), box[1].sup() - box[1].inf());
+  }
+
+  bool meet_only_in_common_end(std::size_t i, std::size_t j) const
+  {
+    for (const int d : {0, 1})
+      for (const int e : {0, 1})
+        if (m_graph.vertex(i, d) == m_graph.vertex(j, e)) {
+          const auto a = m_graph.pieces()[i].chord_cone(d), b = m_graph.pieces()[j].chord_cone(e);
+          if (a && b && Chord_cone_2::are_disjoint(*a, *b))
+            return true;
+        }
+    return false;
   }
 
   std::vector<Common_end> common_ends(std::size_t i, std::size_t j) const
@@ -207,16 +218,77 @@ private:
     return result;
   }
 
-  // What is not decided is taken for a part of the boundary. Long sections tell more easily.
-  bool is_on_boundary(const Chain& chain)
+  /*
+  The sections that are on the boundary. Each chain is, or is not, as a whole, and the boundary has the sum on the left; so what is known of some chains tells about others that they meet, as about the tiny ones at a joint that is nearly smooth, where points beside them tell nothing. All that a piece may have in common with
+  others is in its cuts, with their vertices, or inside of the sum; so each vertex, with all of its cuts, is balanced if nothing doubtful reaches it.
+  */
+  std::vector<Section> boundary_sections(const std::vector<Interval_pair>& doubtful)
+  {
+    const std::vector<Chain> chains = linked(all_sections(), false);
+    std::vector<std::array<std::size_t, 2>> ends;
+    for (const Chain& chain : chains)
+      ends.push_back({chain.sections.front().vertices[0], chain.sections.back().vertices[1]});
+    Boundary_balance_2 balance(ends, vertices_near(doubtful));
+    for (const std::size_t i : by_size(chains))
+      if (!balance.is_boundary(i))
+        if (const CGAL::Uncertain<bool> is_boundary = is_on_boundary(chains[i]); is_boundary.is_certain())
+          balance.set(i, is_boundary.make_certain());
+    std::vector<Section> result;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      const std::vector<Section>& sections = chains[i].sections;
+      const std::optional<bool> is_boundary = balance.is_boundary(i);
+      if (!is_boundary)
+        m_undecided.push_back(m_curves[sections[0].piece](sections[0].range).point);
+      if (!is_boundary || *is_boundary)   // what is not decided is taken for a part of the boundary
+        result.insert(result.end(), sections.begin(), sections.end());
+    }
+    return result;
+  }
+
+  // The numbers of some chains, large ones first: points beside these tell more easily.
+  std::vector<std::size_t> by_size(const std::vector<Chain>& chains) const
+  {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      order.emplace_back(-extent(chains[i]), i);
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> result;
+    for (const auto& [extent, i] : order)
+      result.push_back(i);
+    return result;
+  }
+
+  // About.
+  double extent(const Chain& chain) const
+  {
+    double result = 0;
+    for (const Section& section : chain.sections) {
+      const Interval_pair a = m_curves[section.piece]({section.range.begin, section.range.begin}).point, b = m_curves[section.piece]({section.range.end, section.range.end}).point;
+      result = (std::max)({result, std::abs(a[0].inf() - b[0].inf()), std::abs(a[1].inf() - b[1].inf())});
+    }
+    return result;
+  }
+
+  std::set<std::size_t> vertices_near(const std::vector<Interval_pair>& boxes) const
+  {
+    std::set<std::size_t> result;
+    if (!boxes.empty())
+      for (std::size_t i = 0; i < m_cuts.size(); ++i)
+        for (const Cut& cut : m_cuts[i])
+          if (const Interval_pair place = m_curves[i](cut.range).point; std::any_of(boxes.begin(), boxes.end(), [&](const Interval_pair& box) { return may_meet(place, box); }))
+            result.insert(m_vertices.of(cut.vertex));
+    return result;
+  }
+
+  // Long sections tell more easily.
+  CGAL::Uncertain<bool> is_on_boundary(const Chain& chain) const
   {
     std::vector<Section> sections = chain.sections;
     std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
     for (const Section& section : sections)
       if (const CGAL::Uncertain<bool> is_inside = has_inside_beside(section); is_inside.is_certain())
-        return !is_inside.make_certain();
-    m_undecided.push_back(m_curves[sections[0].piece](sections[0].range).point);
-    return true;
+        return !is_inside;
+    return CGAL::Uncertain<bool>::indeterminate();
   }
 
   /*
