@@ -65,6 +65,7 @@ public:
   const Convolution_end& end(int e) const { return m_ends[static_cast<std::size_t>(e)]; }
   bool has_corner() const { return element(m_turning).is_corner; }
   const Region_element& turning_element() const { return element(m_turning); }
+  const Region_element& moving_element() const { return element(1 - m_turning); }
   const Site_arc_2& turning_arc() const { return arc(m_turning); }
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
@@ -175,6 +176,27 @@ public:
       return {a.point + b.point, b.tangent, b.speed, turn};
     const Interval ratio = dot(a.tangent, b.tangent) / square, speed = m_is_double ? Interval(2) * b.speed : b.speed + a.speed * ratio * CGAL::square(ratio) * (b.turn() / a.turn());
     return {a.point + b.point, b.tangent, speed, turn / speed};
+  }
+
+  /*
+  The point at a number, on the level above doubles. If u is near the parameter of the turning arc, this is u + s where the direction b of the piece and the tangent D of that arc have b x (D(u) + s D') = 0 with the derivative D' somewhere between, and the point there is a(u) + s a'(u) + s^2/2 a'' with a'' from between.
+  */
+  Fine_pair fine_point(double t) const
+  {
+    const auto &a = m_regions[m_turning]->fine_arc(element(m_turning).arc), &b = m_regions[1 - m_turning]->fine_arc(element(1 - m_turning).arc);
+    const Fine_pair point = b.point({t, t});
+    if (has_corner())
+      return a.point({1, 1}) + point;
+    const Range around = turning_range({t, t}), u{around.middle(), around.middle()};
+    Fine_interval step = interval_of<Fine_interval>(around) - Fine_interval(u.begin);
+    if (!m_ends[0].inflection && !m_ends[1].inflection) {
+      const Fine_pair normal = turned_left(b.direction_over({t, t}));
+      const Fine_interval slope = dot(normal, a.tangent_jet(around)[1]);
+      if (certain_sign(slope) != 0)
+        step = common_part(step, -dot(normal, a.direction_over(u)) / slope);
+    }
+    const auto near = a.jet(u, 1), between = a.jet(around, 2);
+    return point + near[0] + step * near[1] + CGAL::square(step) / Fine_interval(2) * between[2];
   }
 
   // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.

@@ -7,12 +7,15 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,12 +88,22 @@ The boundaries of a region as cycles of elements. Where the boundary turns to th
 */
 class Region_elements_2
 {
+  using Fine_arc = Basic_site_arc_2<Fine_interval>;
+
   static constexpr double least_width = 0x1p-40;   // of a part that may contain an inflection
+
+  // An arc on the level above doubles: made when it is needed for the first time.
+  struct Arc_on_demand
+  {
+    std::once_flag is_made;
+    std::optional<Fine_arc> arc;
+  };
 
   const std::vector<Boundary_loop_2>& m_loops;
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;   // the curve that an arc is a piece of, and the parameters at its ends
   std::vector<Region_element> m_elements;
+  std::vector<std::unique_ptr<Arc_on_demand>> m_fine_arcs;
 
 public:
   //! \throws Invalid_input when a derivative is zero, or the boundary turns back, other than on itself.
@@ -98,11 +111,20 @@ public:
   {
     for (const Boundary_loop_2& loop : loops)
       add_loop(loop);
+    for (std::size_t i = 0; i < m_arcs.size(); ++i)
+      m_fine_arcs.push_back(std::make_unique<Arc_on_demand>());
   }
 
   const std::vector<Boundary_loop_2>& loops() const { return m_loops; }
   const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
   const std::vector<Region_element>& elements() const { return m_elements; }
+
+  const Fine_arc& fine_arc(std::size_t index) const
+  {
+    Arc_on_demand& result = *m_fine_arcs[index];
+    std::call_once(result.is_made, [&] { result.arc.emplace(static_cast<const Exact_arc_2&>(m_arcs[index])); });
+    return *result.arc;
+  }
 
   // The joint at the begin (0) or end (1) of an element.
   std::size_t joint(std::size_t element, int side) const { return side == 1 ? element : m_elements[element].previous; }
