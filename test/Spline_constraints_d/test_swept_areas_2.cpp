@@ -139,6 +139,39 @@ TEST(SweptAreas, AlongCubics)
   EXPECT_GT(outside, 20);
 }
 
+// Two squares with a common corner, from which the path leads through both sides of what they cover: sums of this corner and a part of the path are there in both directions, and the part ends where the path has the direction of a diagonal, at no rational parameter.
+TEST(SweptAreas, OfSquaresWithACommonCorner)
+{
+  const std::vector<P> outline{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0), P(-1, 0), P(-1, -1), P(0, -1), P(0, 0)};
+  const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
+  const Sum sum = SC::swept_area(SC::planar_region(SC::polyline_curve(outline)), path);
+  EXPECT_TRUE(sum.is_complete());
+  ASSERT_EQ(sum.boundaries().size(), 1U);
+  EXPECT_FALSE(sum.boundaries()[0].is_hole);
+  const auto polygons = sum.polygons_with_holes(1e-3);
+  ASSERT_EQ(polygons.size(), 1U);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(-1.5, 4.5);
+  constexpr int steps = 500;
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 200; ++i) {
+    const P p(place(random), place(random) / 2);
+    double nearest = 10;   // the largest of the distances of x and y from the squares, negative inside
+    for (int k = 0; k <= steps; ++k) {
+      const K::Vector_2 way = p - path(static_cast<double>(k) / steps);
+      for (const double middle : {-0.5, 0.5})
+        nearest = std::min(nearest, std::max(std::abs(way.x() - middle), std::abs(way.y() - middle)) - 0.5);
+    }
+    if (std::abs(nearest) < 0.01)
+      continue;
+    const bool is_inside = nearest < 0;
+    EXPECT_EQ(polygons[0].outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE, is_inside);
+    ++(is_inside ? inside : outside);
+  }
+  EXPECT_GT(inside, 40);
+  EXPECT_GT(outside, 40);
+}
+
 TEST(SweptAreas, OfCurvesAlongCurves)
 {
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);

@@ -242,7 +242,7 @@ private:
   void add_convex_parts(const Convolution_piece_2& piece)
   {
     constexpr double least_width = 0x1p-32, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
-    constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
+    constexpr int most_idle_rounds = 3;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
     std::vector<Range> convex, unknown{without_fold(piece, convex)};
     int idle_rounds = 0;
     for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {

@@ -73,6 +73,18 @@ public:
     return m_crossings;
   }
 
+  // Whether a part of a curve is proved not to meet a box, by axes and lines along the curve.
+  static bool is_apart(const Traced_curve_2& curve, const Part& part, const Interval_pair& box)
+  {
+    constexpr double enough = 0x1p-20;
+    if (!may_meet(part.box(), box) || is_beside(curve, part, box))
+      return true;
+    if (part.range().width() <= enough)
+      return false;
+    const auto& halves = curve.halves(part);
+    return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
+  }
+
   // Whether a line about tangential to a part of a curve separates it from a box; see below.
   static bool is_beside(const Traced_curve_2& curve, const Part& part, const Interval_pair& box)
   {

@@ -52,7 +52,6 @@ public:
 
 private:
   static constexpr int most_trials = 16;
-  static constexpr double least_width = 0x1p-20;
 
   const Sum_interior_2& m_interior;
   Convolution_cuts_2 m_cuts;
@@ -190,24 +189,13 @@ private:
       const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
       bool is_free = true;
       for (std::size_t i = 0; is_free && i < curves().size(); ++i)
-        is_free = i == section.piece || is_apart(curves()[i], curves()[i].whole(), between);
+        is_free = i == section.piece || Crossing_finder_2::is_apart(curves()[i], curves()[i].whole(), between);
       if (!is_free)
         continue;
       if (const CGAL::Uncertain<bool> result = m_interior.contains(p); result.is_certain())
         return result;
     }
     return CGAL::Uncertain<bool>::indeterminate();
-  }
-
-  // By an axis, or a line along the curve.
-  static bool is_apart(const Traced_curve_2& curve, const Traced_curve_2::Part& part, const Interval_pair& box)
-  {
-    if (!may_meet(part.box(), box) || Crossing_finder_2::is_beside(curve, part, box))
-      return true;
-    if (part.range().width() <= least_width)
-      return false;
-    const auto& halves = curve.halves(part);
-    return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
   }
 
   // Sections one after the other: where one alone ends and one alone begins; or, of the boundary, so that the region is between them.
