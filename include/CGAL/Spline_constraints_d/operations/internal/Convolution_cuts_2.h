@@ -95,7 +95,7 @@ private:
     m_meetings.clear();
     for (std::size_t i = 0; i < m_curves.size(); ++i)
       for (std::size_t j = i + 1; j < m_curves.size(); ++j)
-        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j))
+        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()) && !meet_only_in_common_end(i, j) && !go_on_over_inflection(i, j) && !go_on_over_inflection(j, i))
           if (std::vector<Crossing_2> crossings = crossings_of<Interval>(i, j); !crossings.empty())
             m_meetings.push_back({{i, j}, std::move(crossings), false});
   }
@@ -123,6 +123,22 @@ private:
           if (a && b && Chord_cone_2::are_disjoint(*a, *b))
             return true;
         }
+    return false;
+  }
+
+  // Whether one piece goes on as the other one, over a small part of a moving arc that holds an inflection, and all three run forward along one direction: then they do not meet. Of the first and the last piece this is known from the directions of their ends, between which they turn.
+  bool go_on_over_inflection(std::size_t i, std::size_t j) const
+  {
+    for (std::size_t k = 0; k < m_curves.size(); ++k)
+      if (!m_graph.pieces()[k].is_convex() && m_graph.vertex(k, 0) == m_graph.vertex(i, 1) && m_graph.vertex(k, 1) == m_graph.vertex(j, 0)) {
+        const Interval_pair directions = m_curves[k].whole().direction(), one{Interval(directions[0].inf()), Interval(directions[1].inf())};
+        const auto runs_forward = [&](std::size_t piece) {
+          const auto& ends = m_graph.pieces()[piece].ends();
+          return m_graph.pieces()[piece].is_convex() && std::all_of(ends.begin(), ends.end(), [&](const Convolution_end& end) { return end.direction && certain_sign(dot(one, {interval_of((*end.direction)[0]), interval_of((*end.direction)[1])})) > 0; });
+        };
+        if (certain_sign(dot(one, directions)) > 0 && runs_forward(i) && runs_forward(j))
+          return true;
+      }
     return false;
   }
 
