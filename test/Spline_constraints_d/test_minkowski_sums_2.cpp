@@ -425,7 +425,7 @@ TEST(minkowski_sums_2, joints_that_are_nearly_smooth)
     for (const auto& [region, own_area, length] : {std::tuple(notched, 12.0, 14.0), std::tuple(roof, 32 / 3.0, 8 + 2 * (std::sqrt(2.0) + std::asinh(1.0)))}) {
       const Sum sum = SC::minkowski_sum(region, disk(radius));
       expect_complete(sum, 1, 0);
-      expect_origins(region, disk(radius), sum);
+      expect_origins(region, disk(radius), sum, 1e-7);   // the crossings are known less well
       EXPECT_NEAR(area(sum), own_area + radius * length + CGAL_PI * radius * radius, 1e-4);
       EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(Point(2, 3.4999))));
       EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(2, 3.5001))));

@@ -71,7 +71,7 @@ private:
 
   void add_doubtful(const Interval_pair& box)
   {
-    if (!CGAL::certainly(m_interior.contains(box)))
+    if (!CGAL::certainly(m_interior.contains(box, Sum_interior_2::Effort::THOROUGH)))
       m_doubtful.push_back(box);
   }
 

@@ -126,7 +126,7 @@ private:
     return false;
   }
 
-  // Whether one piece goes on as the other one, over a small part of a moving arc that holds an inflection, and all three run forward along one direction: then they do not meet. Of the first and the last piece this is known from the directions of their ends, between which they turn.
+  // Whether one piece goes on as the other one, over a small part of a moving arc that holds an inflection, and all three run forward along one direction: then they do not meet. Of the first and the last piece this is known from the directions of their ends, between which they turn, or from bounds of all their directions.
   bool go_on_over_inflection(std::size_t i, std::size_t j) const
   {
     for (std::size_t k = 0; k < m_curves.size(); ++k)
@@ -134,7 +134,8 @@ private:
         const Interval_pair directions = m_curves[k].whole().direction(), one{Interval(directions[0].inf()), Interval(directions[1].inf())};
         const auto runs_forward = [&](std::size_t piece) {
           const auto& ends = m_graph.pieces()[piece].ends();
-          return m_graph.pieces()[piece].is_convex() && std::all_of(ends.begin(), ends.end(), [&](const Convolution_end& end) { return end.direction && certain_sign(dot(one, {interval_of((*end.direction)[0]), interval_of((*end.direction)[1])})) > 0; });
+          const bool are_ends_forward = m_graph.pieces()[piece].is_convex() && std::all_of(ends.begin(), ends.end(), [&](const Convolution_end& end) { return end.direction && certain_sign(dot(one, {interval_of((*end.direction)[0]), interval_of((*end.direction)[1])})) > 0; });
+          return are_ends_forward || certain_sign(dot(one, m_curves[piece].whole().direction())) > 0;
         };
         if (certain_sign(dot(one, directions)) > 0 && runs_forward(i) && runs_forward(j))
           return true;

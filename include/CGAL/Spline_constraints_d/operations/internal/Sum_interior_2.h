@@ -28,6 +28,10 @@ Which points are inside of the Minkowski sum of two regions A and B: p is if the
 */
 class Sum_interior_2
 {
+public:
+  enum class Effort { USUAL, THOROUGH };
+
+private:
   std::array<const Region_elements_2*, 2> m_regions;
   std::array<std::vector<Traced_curve_2>, 2> m_arcs;
 
@@ -44,8 +48,8 @@ public:
           Range{0, 1}, Range{0, 1});
   }
 
-  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them.
-  CGAL::Uncertain<bool> contains(const Interval_pair& p) const
+  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them. More is decided with points of boundaries farther away, which takes much longer.
+  CGAL::Uncertain<bool> contains(const Interval_pair& p, Effort effort = Effort::USUAL) const
   {
     bool is_decided = true;
     for (std::size_t i = 0; i < m_arcs[0].size(); ++i)
@@ -55,7 +59,7 @@ public:
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
         for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
-          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) || has_point_inside(p, {i, j}, crossing.ranges))
+          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) || (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
             return true;
           else
             is_decided = false;
