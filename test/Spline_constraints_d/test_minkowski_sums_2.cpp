@@ -415,6 +415,38 @@ TEST(minkowski_sums_2, flat_ends)
   EXPECT_NEAR(area(twice), 4 * 9.75, 1e-4);
 }
 
+// Two sides, or two arcs, go on in each other but for a reflex corner that is nearly flat, next to which the boundaries of their sums with a disk cross. These are tiny there, and of arcs they cross at angles that doubles do not tell from zero.
+TEST(minkowski_sums_2, joints_that_are_nearly_smooth)
+{
+  constexpr double radius = 0.5;
+  for (const double h : {0x1p-22, 0x1p-40}) {
+    const Region notched = polygon({{0, 0}, {4, 0}, {4, 3}, {2, 3 - h}, {0, 3}});
+    const Region roof(Curves{SC::bezier_curve<K>({{4, 2}, {3, 3 + h}, {2, 3}}), SC::bezier_curve<K>({{2, 3}, {1, 3 + h}, {0, 2}}), SC::polyline_curve<K>({{0, 2}, {0, 0}, {4, 0}, {4, 2}})});   // below y = 3 - (x - 2)^2 / 4
+    for (const auto& [region, own_area, length] : {std::tuple(notched, 12.0, 14.0), std::tuple(roof, 32 / 3.0, 8 + 2 * (std::sqrt(2.0) + std::asinh(1.0)))}) {
+      const Sum sum = SC::minkowski_sum(region, disk(radius));
+      expect_complete(sum, 1, 0);
+      expect_origins(region, disk(radius), sum, 1e-7);   // the crossings are known less well
+      EXPECT_NEAR(area(sum), own_area + radius * length + CGAL_PI * radius * radius, 1e-4);
+      EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(Point(2, 3.4999))));
+      EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(2, 3.5001))));
+    }
+  }
+}
+
+// Behind the end of a side the boundary bends to the right, so that the sum of the left corner of the square and what follows begins on the sum of the right corner and the side, at a parameter that is no simple number. What follows is a segment, or an arc, y = -x^3 / 9, with the same tangent and the curvature zero.
+TEST(minkowski_sums_2, contacts_on_segments)
+{
+  constexpr double length = 5.585938;
+  const Sum ramp = SC::minkowski_sum(polygon({{0, 0}, {length, 0}, {length + 2, -2}, {length + 2, 3}, {0, 3}}), square(1));
+  expect_complete(ramp, 1, 0);
+  EXPECT_NEAR(area(ramp), 4 * (length + 3) + 2 + 2, 1e-9);
+  const Region slide(Curves{SC::bezier_curve<K>({{0, 0}, {1, 0}, {2, 0}, {3, -3}}), SC::polyline_curve<K>({{3, -3}, {3, 2}, {-length, 2}, {-length, 0}, {0, 0}})});
+  const Sum sum = SC::minkowski_sum(slide, square(1));
+  expect_complete(sum, 1, 0);
+  expect_origins(slide, square(1), sum);
+  EXPECT_NEAR(area(sum), 3 * (length + 4) + 2.25 + 3, 1e-4);
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

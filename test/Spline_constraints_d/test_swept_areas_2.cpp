@@ -139,6 +139,74 @@ TEST(SweptAreas, AlongCubics)
   EXPECT_GT(outside, 20);
 }
 
+// Two squares with a common corner, from which the path leads through both sides of what they cover: sums of this corner and a part of the path are there in both directions, and the part ends where the path has the direction of a diagonal, at no rational parameter.
+TEST(SweptAreas, OfSquaresWithACommonCorner)
+{
+  const std::vector<P> outline{P(0, 0), P(1, 0), P(1, 1), P(0, 1), P(0, 0), P(-1, 0), P(-1, -1), P(0, -1), P(0, 0)};
+  const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
+  const Sum sum = SC::swept_area(SC::planar_region(SC::polyline_curve(outline)), path);
+  EXPECT_TRUE(sum.is_complete());
+  ASSERT_EQ(sum.boundaries().size(), 1U);
+  EXPECT_FALSE(sum.boundaries()[0].is_hole);
+  const auto polygons = sum.polygons_with_holes(1e-3);
+  ASSERT_EQ(polygons.size(), 1U);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(-1.5, 4.5);
+  constexpr int steps = 500;
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 200; ++i) {
+    const P p(place(random), place(random) / 2);
+    double nearest = 10;   // the largest of the distances of x and y from the squares, negative inside
+    for (int k = 0; k <= steps; ++k) {
+      const K::Vector_2 way = p - path(static_cast<double>(k) / steps);
+      for (const double middle : {-0.5, 0.5})
+        nearest = std::min(nearest, std::max(std::abs(way.x() - middle), std::abs(way.y() - middle)) - 0.5);
+    }
+    if (std::abs(nearest) < 0.01)
+      continue;
+    const bool is_inside = nearest < 0;
+    EXPECT_EQ(polygons[0].outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE, is_inside);
+    ++(is_inside ? inside : outside);
+  }
+  EXPECT_GT(inside, 40);
+  EXPECT_GT(outside, 40);
+}
+
+// A hole with a side that has exactly the direction of the path in its inflection: the sums of the side and this point are inside, as the path crosses the side there.
+TEST(SweptAreas, OfASideAlongAnInflection)
+{
+  const std::vector<P> hole{P(-4, 2), P(4, -2), P(5, 4), P(-4, 4)}, frame{P(-9, -9), P(9, -9), P(9, 9), P(-9, 9), P(-9, -9)};
+  const auto closed = [](std::vector<P> points) {
+    points.push_back(P(points.front()));
+    return SC::polyline_curve(points);
+  };
+  const Curve path = bezier({P(0, 0), P(1, 2), P(2, -1), P(3, 1)});
+  const Sum sum = SC::swept_area(SC::Planar_region_2<K>(std::vector<Curve>{SC::polyline_curve(frame), closed(hole)}), path);
+  EXPECT_TRUE(sum.is_complete());
+  EXPECT_EQ(sum.boundaries().size(), 2U);
+  const auto polygons = sum.polygons_with_holes(1e-3);
+  ASSERT_EQ(polygons.size(), 1U);
+  ASSERT_EQ(polygons[0].number_of_holes(), 1U);
+  const CGAL::Polygon_2<K> opening(hole.begin(), hole.end());
+  int covered = 0, open = 0;
+  for (double x = -4.03; x < 8; x += 0.75)
+    for (double y = -2.07; y < 5; y += 0.75) {
+      const auto is_open = [&](const P& p) {   // whether the hole stays around a point
+        for (int k = 0; k <= 100; ++k)
+          if (opening.bounded_side(CGAL::ORIGIN + (p - path(k / 100.0))) != CGAL::ON_BOUNDED_SIDE)
+            return false;
+        return true;
+      };
+      const bool is_hole = is_open(P(x, y));
+      if (is_open(P(x - 0.03, y)) != is_hole || is_open(P(x + 0.03, y)) != is_hole || is_open(P(x, y - 0.03)) != is_hole || is_open(P(x, y + 0.03)) != is_hole)
+        continue;
+      EXPECT_EQ(polygons[0].holes_begin()->bounded_side(P(x, y)) == CGAL::ON_BOUNDED_SIDE, is_hole);
+      ++(is_hole ? open : covered);
+    }
+  EXPECT_GT(open, 15);
+  EXPECT_GT(covered, 50);
+}
+
 TEST(SweptAreas, OfCurvesAlongCurves)
 {
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);

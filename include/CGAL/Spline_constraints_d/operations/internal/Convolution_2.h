@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Common_inflections_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_piece_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curvature_sign_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
 
 #include <CGAL/Uncertain.h>
@@ -70,7 +71,7 @@ private:
 
   void add_doubtful(const Interval_pair& box)
   {
-    if (!CGAL::certainly(m_interior.contains(box)))
+    if (!CGAL::certainly(m_interior.contains(box, Sum_interior_2::Effort::THOROUGH)))
       m_doubtful.push_back(box);
   }
 
@@ -99,7 +100,7 @@ private:
   // A small part with an inflection, and an element that does not turn to the left, or is one like that too: common directions, unless the sum of both curvatures is negative.
   void add_unknown_sums(const std::array<std::size_t, 2>& elements, std::size_t unknown)
   {
-    constexpr double least_width = 0x1p-20;
+    constexpr double least_width = 0x1p-20, least_straight_width = 0x1p-8;
     const Region_element &a = element(unknown, elements[unknown]), &b = element(1 - unknown, elements[1 - unknown]);
     const auto curvature = [](const Tangent_jet& jet) {   // times the speed
       const Interval square = jet.squared_length();
@@ -112,7 +113,8 @@ private:
       const Tangent_jet q = tangent_jet(m_regions[1 - unknown]->arcs()[b.arc], part);
       if (certain_sign(cross(p.tangent, q.tangent)) != 0 || certain_sign(q.speed * curvature(p) + p.speed * curvature(q)) < 0)
         continue;
-      if (b.turn == Turn::RIGHT && part.width() > least_width) {
+      const bool is_cut = b.turn == Turn::RIGHT ? part.width() > least_width : b.turn == Turn::STRAIGHT && part.width() > least_straight_width && !CGAL::certainly(m_interior.contains(p.point + q.point));
+      if (is_cut) {
         todo.push_back({part.begin, part.middle()});
         todo.push_back({part.middle(), part.end});
       } else
@@ -242,13 +244,14 @@ private:
   void add_convex_parts(const Convolution_piece_2& piece)
   {
     constexpr double least_width = 0x1p-32, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
+    const Curvature_sign_2 sign(piece);
     constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
     std::vector<Range> convex, unknown{without_fold(piece, convex)};
     int idle_rounds = 0;
     for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
       for (const Range& range : unknown)
-        append_by_sign(piece, range, width, convex, parts);
+        append_by_sign(sign, range, width, convex, parts);
       if (total_width(parts) < enough * total_width(unknown))
         std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
       else
@@ -289,16 +292,16 @@ private:
   }
 
   // Parts where the sum of the curvatures is positive, and others of a small width where its sign is not certain.
-  void append_by_sign(const Convolution_piece_2& piece, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
+  void append_by_sign(const Curvature_sign_2& sign_of, const Range& range, double width, std::vector<Range>& positive, std::vector<Range>& unknown) const
   {
-    const int sign = piece.sign_of_speed(range);
+    const int sign = sign_of(range);
     if (sign != 0 || range.width() <= width) {
       if (sign >= 0)
         append(range, sign > 0 ? positive : unknown);
       return;
     }
-    append_by_sign(piece, {range.begin, range.middle()}, width, positive, unknown);
-    append_by_sign(piece, {range.middle(), range.end}, width, positive, unknown);
+    append_by_sign(sign_of, {range.begin, range.middle()}, width, positive, unknown);
+    append_by_sign(sign_of, {range.middle(), range.end}, width, positive, unknown);
   }
 
   static double total_width(const std::vector<Range>& ranges)

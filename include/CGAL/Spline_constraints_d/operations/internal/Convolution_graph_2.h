@@ -137,10 +137,13 @@ private:
   // Whether two pieces are the same curve with the same direction.
   static bool are_equal(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
-    return (are_same(p, 0, q, 0) && are_same(p, 1, q, 1) && are_on_same_curve(p, q, false)) || have_equal_ranges(p, q);
+    return (are_same(p, 0, q, 0) && are_same(p, 1, q, 1) && are_on_same_curve(p, q, false)) || have_equal_ranges(p, q) || have_same_directions(p, q, false);
   }
 
-  static bool are_opposite(const Convolution_piece_2& p, const Convolution_piece_2& q) { return are_same(p, 0, q, 1) && are_same(p, 1, q, 0) && are_on_same_curve(p, q, true); }
+  static bool are_opposite(const Convolution_piece_2& p, const Convolution_piece_2& q)
+  {
+    return (are_same(p, 0, q, 1) && are_same(p, 1, q, 0) && are_on_same_curve(p, q, true)) || have_same_directions(p, q, true);
+  }
 
   // Of two pieces with the same ends. Circles through two points are the same if they have the same tangent in one of them.
   static bool are_on_same_curve(const Convolution_piece_2& p, const Convolution_piece_2& q, bool are_opposite)
@@ -161,6 +164,24 @@ private:
     const auto moving = translation(p.moving_arc(), q.moving_arc(), are_opposite);
     const auto turning = p.has_corner() ? std::optional(exact_difference(q.turning_arc().at(1), p.turning_arc().at(1))) : translation(p.turning_arc(), q.turning_arc(), are_opposite);
     return moving && turning && sign_of((*moving)[0] + (*turning)[0]) == 0 && sign_of((*moving)[1] + (*turning)[1]) == 0;
+  }
+
+  /*
+  Where ends are not rational, but those of sums of the same curves, and have the same directions, or opposite ones: elements that overlap have each direction once together. Turning arcs, which turn to the left, are not there in opposite directions.
+  */
+  static bool have_same_directions(const Convolution_piece_2& p, const Convolution_piece_2& q, bool are_opposite)
+  {
+    for (const int e : {0, 1}) {
+      const auto &d = p.end(e).direction, &f = q.end(are_opposite ? 1 - e : e).direction;
+      if (!d || !f || sign_of(exact_cross(*d, *f)) != 0 || sign_of(exact_dot(*d, *f)) != (are_opposite ? -1 : 1))
+        return false;
+    }
+    const auto overlap = [](const Region_element& a, const Region_element& b, bool is_reversed) {
+      const Range other = is_reversed ? Range{1 - b.range.end, 1 - b.range.begin} : b.range;
+      return (a.turn == Turn::LEFT || a.turn == Turn::RIGHT) && a.range.begin < other.end && other.begin < a.range.end;
+    };
+    const bool have_corners = p.has_corner() && q.has_corner();
+    return (have_corners || (!are_opposite && !p.has_corner() && !q.has_corner() && overlap(p.turning_element(), q.turning_element(), false))) && overlap(p.moving_element(), q.moving_element(), are_opposite) && have_same_operands(p, q, are_opposite);
   }
 
   // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at the same parameter of the moving arc.

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONVOLUTION_PIECE_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Chord_cone_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Traced_curve_2.h>
 
@@ -64,6 +65,7 @@ public:
   const Convolution_end& end(int e) const { return m_ends[static_cast<std::size_t>(e)]; }
   bool has_corner() const { return element(m_turning).is_corner; }
   const Region_element& turning_element() const { return element(m_turning); }
+  const Region_element& moving_element() const { return element(1 - m_turning); }
   const Site_arc_2& turning_arc() const { return arc(m_turning); }
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
@@ -79,6 +81,13 @@ public:
 
   // Whether it turns to one side, by at most 45 degrees, or not at all.
   bool is_convex() const { return element(1 - m_turning).turn != Turn::UNKNOWN; }
+
+  // The directions of chords from an end, if its direction and that of the other end are known.
+  std::optional<Chord_cone_2> chord_cone(int end) const
+  {
+    const auto &first = m_ends[0].direction, &last = m_ends[1].direction;
+    return is_convex() && first && last ? std::optional<Chord_cone_2>(std::in_place, *first, *last, end) : std::nullopt;
+  }
 
   // Both parts, cut where the parameter is a rational number within the inner range.
   std::array<Convolution_piece_2, 2> split(const Exact_rational& t, const Exact_pair& point) const
@@ -124,7 +133,7 @@ public:
     const Range inner = inner_range();
     if (!place || !(inner.begin < place->end && place->begin < inner.end))
       return std::nullopt;
-    const std::optional<Exact_rational> t = simple_number(*place);
+    const std::optional<Exact_rational> t = moving_arc().is_segment() ? parameter_on_line(point, to_rational(place->middle())) : simple_number(*place);
     if (!t || !(to_rational(inner.begin) < *t && *t < to_rational(inner.end)) || exact_point(*t) != point)
       return std::nullopt;
     return t;
@@ -169,6 +178,27 @@ public:
     return {a.point + b.point, b.tangent, speed, turn / speed};
   }
 
+  /*
+  The point at a number, on the level above doubles. If u is near the parameter of the turning arc, this is u + s where the direction b of the piece and the tangent D of that arc have b x (D(u) + s D') = 0 with the derivative D' somewhere between, and the point there is a(u) + s a'(u) + s^2/2 a'' with a'' from between.
+  */
+  Fine_pair fine_point(double t) const
+  {
+    const auto &a = m_regions[m_turning]->fine_arc(element(m_turning).arc), &b = m_regions[1 - m_turning]->fine_arc(element(1 - m_turning).arc);
+    const Fine_pair point = b.point({t, t});
+    if (has_corner())
+      return a.point({1, 1}) + point;
+    const Range around = turning_range({t, t}), u{around.middle(), around.middle()};
+    Fine_interval step = interval_of<Fine_interval>(around) - Fine_interval(u.begin);
+    if (!m_ends[0].inflection && !m_ends[1].inflection) {
+      const Fine_pair normal = turned_left(b.direction_over({t, t}));
+      const Fine_interval slope = dot(normal, a.tangent_jet(around)[1]);
+      if (certain_sign(slope) != 0)
+        step = common_part(step, -dot(normal, a.direction_over(u)) / slope);
+    }
+    const auto near = a.jet(u, 1), between = a.jet(around, 2);
+    return point + near[0] + step * near[1] + CGAL::square(step) / Fine_interval(2) * between[2];
+  }
+
   // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
   int sign_of_speed(const Range& range) const
   {
@@ -210,6 +240,16 @@ public:
   }
 
 private:
+  // On a segment, the parameter of a point of its line; some other one tells where that is.
+  std::optional<Exact_rational> parameter_on_line(const Exact_pair& point, const Exact_rational& other) const
+  {
+    const std::optional<Exact_pair> p = exact_point(other);
+    if (!p)
+      return std::nullopt;
+    const Exact_pair q = moving_arc().at(other);
+    return moving_arc().parameter_of_foot({Exact_rational(point[0] - (*p)[0] + q[0]), Exact_rational(point[1] - (*p)[1] + q[1])});
+  }
+
   // Enlarges a range by the parts of another one that a point may be on.
   void append_place(const Interval_pair& point, const Range& part, std::optional<Range>& place) const
   {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <deque>
 #include <utility>
@@ -35,14 +36,16 @@ struct Common_end
 
 /*
 Where two curves cross, by subdivision of both. Parts are discarded if a line separates them. The derivatives of two parts that have no common direction have one common point at most, and Newton's
-method with intervals finds it, or proves that there is none.
+method with intervals finds it, or proves that there is none. The number type is that of the points.
 */
-class Crossing_finder_2
+template <Enclosing_number Number>
+class Basic_crossing_finder_2
 {
+  using Point = std::array<Number, 2>;
   using Part = Traced_curve_2::Part;
   using Pair = std::array<const Part*, 2>;
   static constexpr std::size_t most_steps = 4000, most_pairs = 2048;   // more are next to each other only where curves touch
-  static constexpr double least_width = 0x1p-44;
+  static constexpr double least_width = std::same_as<Number, Interval> ? 0x1p-44 : 0x1p-50;
 
   std::array<Traced_view_2, 2> m_views;
   std::vector<Common_end> m_common_ends;
@@ -50,7 +53,7 @@ class Crossing_finder_2
   std::vector<Crossing_2> m_crossings;
 
 public:
-  Crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
+  Basic_crossing_finder_2(const Traced_view_2& first, const Traced_view_2& second, std::vector<Common_end> common_ends = {}, bool is_first_enough = false)
     : m_views{first, second}, m_common_ends(std::move(common_ends)), m_is_first_enough(is_first_enough)
   {}
 
@@ -68,6 +71,18 @@ public:
       for (const Pair& parts : todo)
         add_undecided({parts[0]->range(), parts[1]->range()});
     return m_crossings;
+  }
+
+  // Whether a part of a curve is proved not to meet a box, by axes and lines along the curve.
+  static bool is_apart(const Traced_curve_2& curve, const Part& part, const Interval_pair& box)
+  {
+    constexpr double enough = 0x1p-20;
+    if (!may_meet(part.box(), box) || is_beside(curve, part, box))
+      return true;
+    if (part.range().width() <= enough)
+      return false;
+    const auto& halves = curve.halves(part);
+    return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
   }
 
   // Whether a line about tangential to a part of a curve separates it from a box; see below.
@@ -106,6 +121,8 @@ private:
     return std::isfinite(x) && std::isfinite(y) ? Interval_pair{Interval(x), Interval(y)} : Interval_pair{Interval(0), Interval(0)};
   }
 
+  Point middle_point(std::size_t k, const Part& part) const { return m_views[k].template middle_point<Number>(part); }
+
   // Whether the middle of a range is proved to be on the curve.
   bool has_middle(std::size_t k, const Range& range) const
   {
@@ -128,7 +145,7 @@ private:
     const std::array<Interval_pair, 2> directions{m_views[0].direction(*parts[0]), m_views[1].direction(*parts[1])};
     if (!has_middle(0, parts[0]->range()) || !has_middle(1, parts[1]->range()))
       return false;
-    const Interval_pair between = m_views[0].middle_point(*parts[0]) - m_views[1].middle_point(*parts[1]);
+    const Interval_pair between = in_doubles(middle_point(0, *parts[0]) - middle_point(1, *parts[1]));
     const auto step = [&](std::size_t k) { return parts[k]->speed() * (parts[k]->range().interval() - Interval(parts[k]->range().middle())); };
     return std::any_of(directions.begin(), directions.end(), [&](const Interval_pair& direction) {
       const Interval_pair normal = turned_left(middle_of(direction));
@@ -187,13 +204,14 @@ private:
   {
     constexpr double enough = 0.75;
     std::array<Range, 2> ranges{parts[0]->range(), parts[1]->range()};
-    std::array<Interval_pair, 2> directions{m_views[0].direction(*parts[0]), m_views[1].direction(*parts[1])}, middles{m_views[0].middle_point(*parts[0]), m_views[1].middle_point(*parts[1])};
+    std::array<Interval_pair, 2> directions{m_views[0].direction(*parts[0]), m_views[1].direction(*parts[1])};
+    std::array<Point, 2> middles{middle_point(0, *parts[0]), middle_point(1, *parts[1])};
     std::array<Interval, 2> speeds{parts[0]->speed(), parts[1]->speed()};
     for (bool is_certain = false;;) {
       const Interval determinant = cross(directions[0], directions[1]);
       if (certain_sign(determinant) == 0 || certain_sign(speeds[0]) == 0 || certain_sign(speeds[1]) == 0 || !has_middle(0, ranges[0]) || !has_middle(1, ranges[1]))
         return false;
-      const Interval_pair between = middles[1] - middles[0];
+      const Interval_pair between = in_doubles(middles[1] - middles[0]);
       const std::array<Interval, 2> steps{cross(between, directions[1]) / (determinant * speeds[0]), cross(between, directions[0]) / (determinant * speeds[1])};
       bool is_inside = true, is_shorter = false;
       std::array<Range, 2> next;
@@ -217,11 +235,13 @@ private:
         const Part part = m_views[k].curve().part(ranges[k]);
         directions[k] = m_views[k].direction(part);
         speeds[k] = part.speed();
-        middles[k] = m_views[k].middle_point(part);
+        middles[k] = middle_point(k, part);
       }
     }
   }
 };
+
+using Crossing_finder_2 = Basic_crossing_finder_2<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints

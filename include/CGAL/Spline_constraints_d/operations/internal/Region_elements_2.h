@@ -7,12 +7,15 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,12 +88,24 @@ The boundaries of a region as cycles of elements. Where the boundary turns to th
 */
 class Region_elements_2
 {
+  using Fine_arc = Basic_site_arc_2<Fine_interval>;
+
   static constexpr double least_width = 0x1p-40;   // of a part that may contain an inflection
+
+  // An arc on the level above doubles: made when it is needed for the first time.
+  struct Arc_on_demand
+  {
+    std::once_flag is_made;
+    std::optional<Fine_arc> arc;
+    std::optional<Basic_polynomial_jet<Fine_interval>> turn;   // while elements are made
+  };
 
   const std::vector<Boundary_loop_2>& m_loops;
   std::vector<Site_arc_2> m_arcs;
   std::vector<std::pair<std::size_t, std::array<double, 2>>> m_origins;   // the curve that an arc is a piece of, and the parameters at its ends
+  std::vector<std::size_t> m_previous_arcs, m_next_arcs;                  // along the boundaries
   std::vector<Region_element> m_elements;
+  std::vector<std::unique_ptr<Arc_on_demand>> m_fine_arcs;
 
 public:
   //! \throws Invalid_input when a derivative is zero, or the boundary turns back, other than on itself.
@@ -103,6 +118,17 @@ public:
   const std::vector<Boundary_loop_2>& loops() const { return m_loops; }
   const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
   const std::vector<Region_element>& elements() const { return m_elements; }
+
+  // Along the boundary.
+  std::size_t previous_arc(std::size_t arc) const { return m_previous_arcs[arc]; }
+  std::size_t next_arc(std::size_t arc) const { return m_next_arcs[arc]; }
+
+  const Fine_arc& fine_arc(std::size_t index) const
+  {
+    Arc_on_demand& result = *m_fine_arcs[index];
+    std::call_once(result.is_made, [&] { result.arc.emplace(static_cast<const Exact_arc_2&>(m_arcs[index])); });
+    return *result.arc;
+  }
 
   // The joint at the begin (0) or end (1) of an element.
   std::size_t joint(std::size_t element, int side) const { return side == 1 ? element : m_elements[element].previous; }
@@ -136,11 +162,14 @@ private:
     const std::size_t first_arc = m_arcs.size(), first_element = m_elements.size();
     for (const Boundary_piece& piece : loop.pieces()) {
       m_arcs.emplace_back(Homogeneous_piece{{0, 1}, piece.coordinates});
+      m_fine_arcs.push_back(std::make_unique<Arc_on_demand>());
       m_origins.push_back({piece.curve, {to_nearest_double(piece.parameters[0]), to_nearest_double(piece.parameters[1])}});
     }
     for (std::size_t i = first_arc; i < m_arcs.size(); ++i) {
+      m_previous_arcs.push_back(i > first_arc ? i - 1 : m_arcs.size() - 1);
+      m_next_arcs.push_back(i + 1 < m_arcs.size() ? i + 1 : first_arc);
       add_parts(i, {0, 1});
-      add_corner(i, i + 1 < m_arcs.size() ? i + 1 : first_arc);
+      add_corner(i, m_next_arcs[i]);
     }
     for (std::size_t i = first_element; i < m_elements.size(); ++i)
       m_elements[i].previous = i > first_element ? i - 1 : m_elements.size() - 1;
@@ -157,7 +186,7 @@ private:
     const bool is_regular = certain_sign(squared_norm_of(jet.tangent)) > 0;
     if (a.is_straight() && is_regular)
       return add({Turn::STRAIGHT, false, arc, range, {d0, d1}, {}});
-    const int turn = a.is_straight() ? 0 : certain_turn(a, jet, range);
+    const int turn = a.is_straight() ? 0 : certain_turn(arc, jet, range);
     if (turn != 0 && is_regular && is_narrow(d0, d1))
       return add({turn > 0 ? Turn::LEFT : Turn::RIGHT, false, arc, range, {d0, d1}, {}});
     if (range.width() > least_width) {
@@ -170,16 +199,35 @@ private:
     add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
   }
 
-  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
-  static int certain_turn(const Site_arc_2& arc, const Tangent_jet& jet, const Range& range)
+  // Where the derivatives do not tell, by the Bernstein coefficients of D x D', above doubles: of an arc that is small or nearly straight the derivatives do not tell over many parts of the least width.
+  int certain_turn(std::size_t arc, const Tangent_jet& jet, const Range& range) const
   {
     constexpr double most_width = 0x1p-4;
-    const int sign = certain_sign(jet.turn());
-    if (sign != 0 || range.width() > most_width || (range.begin != 0 && range.end != 1))
-      return sign;
+    int sign = certain_sign(jet.turn());
+    if (sign == 0 && range.width() <= most_width)
+      sign = certain_sign(turn_polynomial(arc)(0, range));
+    return sign == 0 && range.width() <= most_width && (range.begin == 0 || range.end == 1) ? turn_at_end(m_arcs[arc], range) : sign;
+  }
+
+  const Basic_polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
+  {
+    Arc_on_demand& result = *m_fine_arcs[arc];
+    if (!result.turn)
+      result.turn.emplace(exact_turn(m_arcs[arc]), 0, 0);
+    return *result.turn;
+  }
+
+  // D x D', up to a positive factor.
+  static Exact_tensor exact_turn(const Site_arc_2& arc)
+  {
     const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
-    const Exact_tensor turn = (d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0)).restricted(0, to_rational(range.begin), to_rational(range.end));
-    const std::vector<Exact_rational>& c = turn.coefficients();
+    return d[0] * d[1].derivative(0) - d[1] * d[0].derivative(0);
+  }
+
+  // In drawings, the first three control points of a cubic are often on a line. There the curvature is zero in the end of the arc; next to it, it has one sign if the Bernstein coefficients of D x D' have.
+  static int turn_at_end(const Site_arc_2& arc, const Range& range)
+  {
+    const std::vector<Exact_rational> c = exact_turn(arc).restricted(0, to_rational(range.begin), to_rational(range.end)).coefficients();
     const int inner = sign_of(range.begin == 0 ? c.back() : c.front());
     return std::any_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == -inner; }) ? 0 : inner;
   }

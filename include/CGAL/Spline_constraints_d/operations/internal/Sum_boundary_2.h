@@ -4,11 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SUM_BOUNDARY_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SUM_BOUNDARY_2_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Boundary_balance_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Convolution_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Convolution_graph_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Convolution_cuts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Crossing_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Vertex_classes.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Vertex_star_2.h>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -50,173 +51,124 @@ public:
   };
 
 private:
-  static constexpr int most_trials = 16, most_rounds = 4;
-  static constexpr double least_width = 0x1p-20;
-
-  // A part of a piece where it meets others, with the number of the vertex.
-  struct Cut
-  {
-    Range range;
-    std::size_t vertex;
-    bool is_certain;
-  };
+  static constexpr int most_trials = 16;
 
   const Sum_interior_2& m_interior;
-  Convolution_graph_2 m_graph;
-  std::vector<Traced_curve_2> m_curves;        // of the pieces
+  Convolution_cuts_2 m_cuts;
   double m_size = 0;
-  std::vector<std::vector<Cut>> m_cuts;        // of each piece, in order
-  Vertex_classes m_vertices{0};
   std::vector<Chain> m_chains;
   std::vector<Interval_pair> m_undecided;
 
 public:
-  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior) : m_interior(interior), m_graph(convolution.pieces()), m_undecided(convolution.doubtful())
+  Sum_boundary_2(const Convolution_2& convolution, const Sum_interior_2& interior) : m_interior(interior), m_cuts(convolution.pieces(), interior), m_size(size_of_all()), m_undecided(m_cuts.undecided())
   {
-    cut_pieces();
-    for (int round = 0; round < most_rounds && m_graph.split_at(possible_vertices()); ++round)
-      cut_pieces();
-    report_contacts();
-    std::vector<Section> sections;
-    for (const Chain& chain : linked(all_sections(), false))
-      if (is_on_boundary(chain))
-        sections.insert(sections.end(), chain.sections.begin(), chain.sections.end());
-    m_chains = linked(sections, true);
+    m_undecided.insert(m_undecided.end(), convolution.doubtful().begin(), convolution.doubtful().end());
+    m_chains = linked(boundary_sections(convolution.doubtful()), true);
     check_chains();
   }
 
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Convolution_piece_2& piece(const Section& section) const { return m_graph.pieces()[section.piece]; }
+  const Convolution_piece_2& piece(const Section& section) const { return m_cuts.pieces()[section.piece]; }
 
   // Boxes with points that may be on the boundary and are not on the chains, or where these may not be the boundary.
   const std::vector<Interval_pair>& undecided() const { return m_undecided; }
 
 private:
-  bool is_inside(const Interval_pair& box) const { return CGAL::certainly(m_interior.contains(box)); }
-
-  // Finds all crossings and contacts of the pieces. What meets a piece in the same place is one vertex.
-  void cut_pieces()
-  {
-    m_curves.clear();
-    for (const Convolution_piece_2& piece : m_graph.pieces())
-      m_curves.emplace_back([&piece](const Range& range) { return piece(range); }, piece.range(), piece.inner_range());
-    m_size = size_of_all();
-    m_vertices = Vertex_classes(m_graph.number_of_vertices());
-    m_cuts.clear();
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-      const Range range = m_curves[i].range(), inner = m_curves[i].inner_range();
-      m_cuts.push_back({Cut{{range.begin, inner.begin}, m_graph.vertex(i, 0), true}, Cut{{inner.end, range.end}, m_graph.vertex(i, 1), true}});
-    }
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
-      for (std::size_t j = i + 1; j < m_curves.size(); ++j)
-        if (may_meet(m_curves[i].whole().box(), m_curves[j].whole().box()))
-          for (const Crossing_2& crossing : Crossing_finder_2(Traced_view_2(m_curves[i]), Traced_view_2(m_curves[j]), common_ends(i, j))())
-            add_crossing(i, j, crossing);
-    for (std::vector<Cut>& cuts : m_cuts)
-      merge(cuts);
-  }
+  const std::vector<Traced_curve_2>& curves() const { return m_cuts.curves(); }
 
   double size_of_all() const
   {
-    if (m_curves.empty())
+    if (curves().empty())
       return 0;
-    Interval_pair box = m_curves.front().whole().box();
-    for (const Traced_curve_2& curve : m_curves)
+    Interval_pair box = curves().front().whole().box();
+    for (const Traced_curve_2& curve : curves())
       box = hull(box, curve.whole().box());
     return (std::max)(box[0].sup() - box[0].inf(), box[1].sup() - box[1].inf());
-  }
-
-  std::vector<Common_end> common_ends(std::size_t i, std::size_t j) const
-  {
-    std::vector<Common_end> result;
-    for (const int d : {0, 1})
-      for (const int e : {0, 1})
-        if (m_graph.vertex(i, d) == m_graph.vertex(j, e)) {
-          const auto &a = m_graph.pieces()[i].end(d).direction, &b = m_graph.pieces()[j].end(e).direction;
-          result.push_back({{d, e}, a && b && sign_of(exact_cross(*a, *b)) == 0});
-        }
-    return result;
-  }
-
-  // Inside of the sum it does not matter what is not decided.
-  void add_crossing(std::size_t i, std::size_t j, const Crossing_2& crossing)
-  {
-    if (!crossing.is_certain) {
-      const Interval_pair p = m_curves[i](crossing.ranges[0]).point, q = m_curves[j](crossing.ranges[1]).point;
-      if (!may_meet(p, q) || is_inside(common_part(p, q)))
-        return;
-    }
-    const std::size_t vertex = m_vertices.add();
-    m_cuts[i].push_back({crossing.ranges[0], vertex, crossing.is_certain});
-    m_cuts[j].push_back({crossing.ranges[1], vertex, crossing.is_certain});
-  }
-
-  // Cuts that are not told apart become one.
-  void merge(std::vector<Cut>& cuts)
-  {
-    std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.range.begin < b.range.begin; });
-    std::vector<Cut> result;
-    for (const Cut& cut : cuts)
-      if (!result.empty() && cut.range.begin <= result.back().range.end) {
-        m_vertices.join(result.back().vertex, cut.vertex);
-        result.back().range = united(result.back().range, cut.range);
-        result.back().is_certain = false;
-      } else
-        result.push_back(cut);
-    cuts = std::move(result);
-  }
-
-  // Rational points of pieces where they may meet others.
-  std::vector<Exact_pair> possible_vertices() const
-  {
-    std::vector<Exact_pair> result;
-    for_each_uncertain_cut([&](std::size_t i, const Cut& cut, const Interval_pair&) {
-      const Convolution_piece_2& piece = m_graph.pieces()[i];
-      const Range inner = piece.inner_range();
-      if (const auto t = Convolution_piece_2::simple_number(cut.range); t && to_rational(inner.begin) < *t && *t < to_rational(inner.end))
-        if (const auto point = piece.exact_point(*t))
-          result.push_back(*point);
-    });
-    return result;
-  }
-
-  void report_contacts()
-  {
-    for_each_uncertain_cut([&](std::size_t, const Cut&, const Interval_pair& box) { m_undecided.push_back(box); });
-  }
-
-  template <class Function>
-  void for_each_uncertain_cut(const Function& function) const
-  {
-    for (std::size_t i = 0; i < m_cuts.size(); ++i)
-      for (const Cut& cut : m_cuts[i])
-        if (!cut.is_certain)
-          if (const Interval_pair box = m_curves[i](cut.range).point; !is_inside(box))
-            function(i, cut, box);
   }
 
   // The sections between cuts.
   std::vector<Section> all_sections() const
   {
     std::vector<Section> result;
-    for (std::size_t i = 0; i < m_cuts.size(); ++i)
-      for (std::size_t k = 1; k < m_cuts[i].size(); ++k) {
-        const Cut &a = m_cuts[i][k - 1], &b = m_cuts[i][k];
-        result.push_back({i, {a.range.end, b.range.begin}, {a.range.begin, b.range.end}, {m_vertices.of(a.vertex), m_vertices.of(b.vertex)}});
+    for (std::size_t i = 0; i < curves().size(); ++i)
+      for (std::size_t k = 1; k < m_cuts.cuts(i).size(); ++k) {
+        const Convolution_cuts_2::Cut &a = m_cuts.cuts(i)[k - 1], &b = m_cuts.cuts(i)[k];
+        result.push_back({i, {a.range.end, b.range.begin}, {a.range.begin, b.range.end}, {m_cuts.vertex(a), m_cuts.vertex(b)}});
       }
     return result;
   }
 
-  // What is not decided is taken for a part of the boundary. Long sections tell more easily.
-  bool is_on_boundary(const Chain& chain)
+  /*
+  The sections that are on the boundary. Each chain is, or is not, as a whole, and the boundary has the sum on the left; so what is known of some chains tells about others that they meet, as about the tiny ones at a joint that is nearly smooth, where points beside them tell nothing. All that a piece may have in common with
+  others is in its cuts, with their vertices, or inside of the sum; so each vertex, with all of its cuts, is balanced if nothing doubtful reaches it.
+  */
+  std::vector<Section> boundary_sections(const std::vector<Interval_pair>& doubtful)
+  {
+    const std::vector<Chain> chains = linked(all_sections(), false);
+    std::vector<std::array<std::size_t, 2>> ends;
+    for (const Chain& chain : chains)
+      ends.push_back({chain.sections.front().vertices[0], chain.sections.back().vertices[1]});
+    Boundary_balance_2 balance(ends, vertices_near(doubtful));
+    for (const std::size_t i : by_size(chains))
+      if (!balance.is_boundary(i))
+        if (const CGAL::Uncertain<bool> is_boundary = is_on_boundary(chains[i]); is_boundary.is_certain())
+          balance.set(i, is_boundary.make_certain());
+    std::vector<Section> result;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      const std::vector<Section>& sections = chains[i].sections;
+      const std::optional<bool> is_boundary = balance.is_boundary(i);
+      if (!is_boundary)
+        m_undecided.push_back(curves()[sections[0].piece](sections[0].range).point);
+      if (!is_boundary || *is_boundary)   // what is not decided is taken for a part of the boundary
+        result.insert(result.end(), sections.begin(), sections.end());
+    }
+    return result;
+  }
+
+  // The numbers of some chains, large ones first: points beside these tell more easily.
+  std::vector<std::size_t> by_size(const std::vector<Chain>& chains) const
+  {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      order.emplace_back(-extent(chains[i]), i);
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> result;
+    for (const auto& [extent, i] : order)
+      result.push_back(i);
+    return result;
+  }
+
+  // About.
+  double extent(const Chain& chain) const
+  {
+    double result = 0;
+    for (const Section& section : chain.sections) {
+      const Interval_pair a = curves()[section.piece]({section.range.begin, section.range.begin}).point, b = curves()[section.piece]({section.range.end, section.range.end}).point;
+      result = (std::max)({result, std::abs(a[0].inf() - b[0].inf()), std::abs(a[1].inf() - b[1].inf())});
+    }
+    return result;
+  }
+
+  std::set<std::size_t> vertices_near(const std::vector<Interval_pair>& boxes) const
+  {
+    std::set<std::size_t> result;
+    if (!boxes.empty())
+      for (std::size_t i = 0; i < curves().size(); ++i)
+        for (const Convolution_cuts_2::Cut& cut : m_cuts.cuts(i))
+          if (const Interval_pair place = curves()[i](cut.range).point; std::any_of(boxes.begin(), boxes.end(), [&](const Interval_pair& box) { return may_meet(place, box); }))
+            result.insert(m_cuts.vertex(cut));
+    return result;
+  }
+
+  // Long sections tell more easily.
+  CGAL::Uncertain<bool> is_on_boundary(const Chain& chain) const
   {
     std::vector<Section> sections = chain.sections;
     std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
     for (const Section& section : sections)
       if (const CGAL::Uncertain<bool> is_inside = has_inside_beside(section); is_inside.is_certain())
-        return !is_inside.make_certain();
-    m_undecided.push_back(m_curves[sections[0].piece](sections[0].range).point);
-    return true;
+        return !is_inside;
+    return CGAL::Uncertain<bool>::indeterminate();
   }
 
   /*
@@ -229,32 +181,21 @@ private:
     double distance = m_size / 128;
     for (int trial = 0; trial < most_trials; ++trial, distance /= 4) {
       const double t = section.range.begin + places[static_cast<std::size_t>(trial) % places.size()] * section.range.width();
-      const Traced_jet jet = m_curves[section.piece]({t, t});
+      const Traced_jet jet = curves()[section.piece]({t, t});
       const Interval_pair& point = jet.point;
       const double x = jet.direction[0].inf(), y = jet.direction[1].inf(), length = std::hypot(x, y);
       if (!(length > 0) || !std::isfinite(length))
         continue;
       const Interval_pair p{Interval(point[0].inf() + distance * y / length), Interval(point[1].inf() - distance * x / length)}, between = hull(p, point);
       bool is_free = true;
-      for (std::size_t i = 0; is_free && i < m_curves.size(); ++i)
-        is_free = i == section.piece || is_apart(m_curves[i], m_curves[i].whole(), between);
+      for (std::size_t i = 0; is_free && i < curves().size(); ++i)
+        is_free = i == section.piece || Crossing_finder_2::is_apart(curves()[i], curves()[i].whole(), between);
       if (!is_free)
         continue;
       if (const CGAL::Uncertain<bool> result = m_interior.contains(p); result.is_certain())
         return result;
     }
     return CGAL::Uncertain<bool>::indeterminate();
-  }
-
-  // By an axis, or a line along the curve.
-  static bool is_apart(const Traced_curve_2& curve, const Traced_curve_2::Part& part, const Interval_pair& box)
-  {
-    if (!may_meet(part.box(), box) || Crossing_finder_2::is_beside(curve, part, box))
-      return true;
-    if (part.range().width() <= least_width)
-      return false;
-    const auto& halves = curve.halves(part);
-    return is_apart(curve, halves[0], box) && is_apart(curve, halves[1], box);
   }
 
   // Sections one after the other: where one alone ends and one alone begins; or, of the boundary, so that the region is between them.
@@ -297,7 +238,7 @@ private:
     std::vector<Star_ray_2> result;
     for (const std::size_t i : indices) {
       const Range &range = sections[i].range, &outer = sections[i].outer_range;
-      const Traced_jet jet = m_curves[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
+      const Traced_jet jet = curves()[sections[i].piece](end == 0 ? Range{outer.begin, range.begin} : Range{range.end, outer.end});
       if (end == 0)
         result.push_back({jet.direction, jet.curvature});
       else
@@ -313,11 +254,11 @@ private:
       const Section &first = chain.sections.front(), &last = chain.sections.back();
       if (!chain.is_closed)
         for (const auto& [section, t] : {std::pair(&first, first.range.begin), std::pair(&last, last.range.end)})
-          m_undecided.push_back(m_curves[section->piece]({t, t}).point);
+          m_undecided.push_back(curves()[section->piece]({t, t}).point);
       else if (const int sign = sign_of_area(chain); sign != 0)
         chain.is_clockwise = sign < 0;
       else
-        m_undecided.push_back(m_curves[first.piece](first.range).point);
+        m_undecided.push_back(curves()[first.piece](first.range).point);
     }
   }
 
@@ -334,14 +275,14 @@ private:
   Interval twice_area(const Chain& chain, int parts) const
   {
     const Section& first = chain.sections.front();
-    const Interval_pair vertex = m_curves[first.piece]({first.outer_range.begin, first.range.begin}).point;
+    const Interval_pair vertex = curves()[first.piece]({first.outer_range.begin, first.range.begin}).point;
     const Interval_pair origin{Interval(vertex[0].inf()), Interval(vertex[1].inf())};
     Interval result(0);
     for (const Section& section : chain.sections) {
       const Range &range = section.range, &outer = section.outer_range;
       Range last{outer.begin, range.begin};   // the vertex is anywhere there
       const auto add_chord_to = [&](const Range& next) {
-        const Interval_pair a = m_curves[section.piece](last).point, b = m_curves[section.piece](next).point;
+        const Interval_pair a = curves()[section.piece](last).point, b = curves()[section.piece](next).point;
         result += cross(a - origin, b - origin) + twice_area_of_segment(section.piece, last, next);
         last = next;
       };
@@ -358,8 +299,8 @@ private:
   // Between a chord and its part of a piece, positive if this turns to the left: at most that of the triangle of the chord and both tangents.
   Interval twice_area_of_segment(std::size_t index, const Range& from, const Range& to) const
   {
-    const Convolution_piece_2& piece = m_graph.pieces()[index];
-    const Traced_curve_2& curve = m_curves[index];
+    const Convolution_piece_2& piece = m_cuts.pieces()[index];
+    const Traced_curve_2& curve = curves()[index];
     if (!piece.is_convex())
       return Interval(-2, 2) * CGAL::square(diameter(curve(united(from, to)).point));
     const Interval squared_chord = squared_norm(curve(to).point - curve(from).point);

@@ -12,8 +12,11 @@
 
 #include <CGAL/Uncertain.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +28,10 @@ Which points are inside of the Minkowski sum of two regions A and B: p is if the
 */
 class Sum_interior_2
 {
+public:
+  enum class Effort { USUAL, THOROUGH };
+
+private:
   std::array<const Region_elements_2*, 2> m_regions;
   std::array<std::vector<Traced_curve_2>, 2> m_arcs;
 
@@ -41,17 +48,18 @@ public:
           Range{0, 1}, Range{0, 1});
   }
 
-  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them.
-  CGAL::Uncertain<bool> contains(const Interval_pair& p) const
+  // Whether all points within these bounds are inside; not certain where boundaries touch or may touch for one of them. More is decided with points of boundaries farther away, which takes much longer.
+  CGAL::Uncertain<bool> contains(const Interval_pair& p, Effort effort = Effort::USUAL) const
   {
     bool is_decided = true;
-    for (const Traced_curve_2& a : m_arcs[0])
-      for (const Traced_curve_2& b : m_arcs[1]) {
+    for (std::size_t i = 0; i < m_arcs[0].size(); ++i)
+      for (std::size_t j = 0; j < m_arcs[1].size(); ++j) {
+        const Traced_curve_2 &a = m_arcs[0][i], &b = m_arcs[1][j];
         const Traced_view_2 first(a), second(b, p);
         if (!may_meet(first.box(a.whole()), second.box(b.whole())))
           continue;
         for (const Crossing_2& crossing : Crossing_finder_2(first, second, {}, true)())
-          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges))
+          if (crossing.is_certain || Tangential_crossing_2(first, second).is_near(crossing.ranges) || (effort == Effort::THOROUGH && has_point_inside(p, {i, j}, crossing.ranges)))
             return true;
           else
             is_decided = false;
@@ -66,15 +74,44 @@ private:
   // Whether the begin of a boundary of one region is inside of the other region, reflected; the boundaries do not meet.
   bool has_boundary_inside(std::size_t k, const Exact_pair& point) const
   {
-    for (const Boundary_loop_2& loop : m_regions[k]->loops()) {
-      const Exact_pair q = loop.source(), reflected{Exact_rational(point[0] - q[0]), Exact_rational(point[1] - q[1])};
-      int turns = 0;
-      for (const Boundary_loop_2& other : m_regions[1 - k]->loops())
-        turns += other.winding_number(reflected);
-      if (turns > 0)
-        return true;
-    }
+    const std::vector<Boundary_loop_2>& loops = m_regions[k]->loops();
+    return std::any_of(loops.begin(), loops.end(), [&](const Boundary_loop_2& loop) {
+      const Exact_pair q = loop.source();
+      return is_inside(1 - k, {Exact_rational(point[0] - q[0]), Exact_rational(point[1] - q[1])});
+    });
+  }
+
+  // Whether a point that is not on the boundary is inside of a region.
+  bool is_inside(std::size_t k, const Exact_pair& point) const
+  {
+    const std::vector<Boundary_loop_2>& loops = m_regions[k]->loops();
+    return std::accumulate(loops.begin(), loops.end(), 0, [&](int turns, const Boundary_loop_2& loop) { return turns + loop.winding_number(point); }) > 0;
+  }
+
+  /*
+  Whether a point of one boundary, near a contact, is inside of the other region, reflected, wherever p is within its bounds. Regions that overlap next to the contact by less than these bounds, or on the other side of a joint, overlap by more farther away: so they do around most cusps of the convolution.
+  */
+  bool has_point_inside(const Interval_pair& p, const std::array<std::size_t, 2>& arcs, const std::array<Range, 2>& ranges) const
+  {
+    constexpr double least_step = 0x1p-10;
+    for (double step = 0.25; step >= least_step; step /= 4)
+      for (const std::size_t k : {0, 1})
+        for (const double way : {-step, step}) {
+          const auto [arc, t] = place(k, arcs[k], ranges[k].middle() + way);
+          const Interval_pair point = p - m_arcs[k][arc]({t, t}).point;
+          const auto is_apart = [&](const Traced_curve_2& curve) { return Crossing_finder_2::is_apart(curve, curve.whole(), point); };
+          if (std::all_of(m_arcs[1 - k].begin(), m_arcs[1 - k].end(), is_apart) && is_inside(1 - k, {to_rational(point[0].inf()), to_rational(point[1].inf())}))
+            return true;
+        }
     return false;
+  }
+
+  // A parameter between -1 and 2 of an arc, on this or the arc before or behind.
+  std::pair<std::size_t, double> place(std::size_t k, std::size_t arc, double t) const
+  {
+    if (t < 0)
+      return {m_regions[k]->previous_arc(arc), t + 1};
+    return t > 1 ? std::pair(m_regions[k]->next_arc(arc), t - 1) : std::pair(arc, t);
   }
 };
 

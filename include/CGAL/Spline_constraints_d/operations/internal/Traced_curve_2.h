@@ -4,9 +4,11 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TRACED_CURVE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_TRACED_CURVE_2_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,13 +28,16 @@ struct Traced_jet
   Interval speed, curvature;
 };
 
+using Fine_pair = std::array<Fine_interval, 2>;
+
 /*
-A curve that is known by enclosures of its points and derivatives over ranges of its parameter, which are kept for the ranges that halving makes.
+A curve that is known by enclosures of its points and derivatives over ranges of its parameter, which are kept for the ranges that halving makes. Its points may be known on the level above doubles, too. This is enough to decide with more precision: what is between the points of two curves is small there, and is multiplied by little that is not.
 */
 class Traced_curve_2
 {
 public:
   using Evaluation = std::function<Traced_jet(const Range&)>;
+  using Fine_evaluation = std::function<Fine_pair(double)>;
 
   // A range with what is known there.
   class Part
@@ -43,6 +48,7 @@ public:
     Interval_pair m_middle_point;
     Traced_jet m_jet;
     mutable std::unique_ptr<std::array<Part, 2>> m_halves;
+    mutable std::unique_ptr<const Fine_pair> m_fine_middle_point;
 
   public:
     const Range& range() const { return m_range; }
@@ -55,12 +61,15 @@ public:
 
 private:
   Evaluation m_evaluation;
+  Fine_evaluation m_fine_evaluation;
   Range m_inner;
   std::unique_ptr<const Part> m_whole;
 
 public:
   // The curve over a range. Its ends may be known up to small ranges only: between these is the inner range.
-  Traced_curve_2(Evaluation evaluation, const Range& range, const Range& inner) : m_evaluation(std::move(evaluation)), m_inner(inner), m_whole(std::make_unique<Part>(part(range))) {}
+  Traced_curve_2(Evaluation evaluation, const Range& range, const Range& inner, Fine_evaluation fine_evaluation = {})
+    : m_evaluation(std::move(evaluation)), m_fine_evaluation(std::move(fine_evaluation)), m_inner(inner), m_whole(std::make_unique<Part>(part(range)))
+  {}
 
   const Part& whole() const { return *m_whole; }
   const Range& range() const { return m_whole->range(); }
@@ -75,6 +84,14 @@ public:
       of.m_halves = std::make_unique<std::array<Part, 2>>(std::array<Part, 2>{part({begin, middle}), part({middle, end})});
     }
     return *of.m_halves;
+  }
+
+  // On the level above doubles, if the curve is known there.
+  const Fine_pair& fine_middle_point(const Part& of) const
+  {
+    if (!of.m_fine_middle_point)
+      of.m_fine_middle_point = std::make_unique<const Fine_pair>(m_fine_evaluation ? m_fine_evaluation(of.m_range.middle()) : Fine_pair{Fine_interval(of.m_middle_point[0]), Fine_interval(of.m_middle_point[1])});
+    return *of.m_fine_middle_point;
   }
 
   Part part(const Range& range) const
@@ -100,7 +117,16 @@ public:
 
   const Traced_curve_2& curve() const { return *m_curve; }
   Interval_pair box(const Part& part) const { return seen(part.box()); }
-  Interval_pair middle_point(const Part& part) const { return seen(part.middle_point()); }
+
+  template <Enclosing_number Number = Interval>
+  std::array<Number, 2> middle_point(const Part& part) const
+  {
+    if constexpr (std::same_as<Number, Interval>)
+      return seen(part.middle_point());
+    else
+      return seen(m_curve->fine_middle_point(part));
+  }
+
   Interval_pair direction(const Part& part) const { return seen_direction(part.direction()); }
 
   // The same over any range.
@@ -109,7 +135,12 @@ public:
 
 private:
   Interval_pair seen_direction(const Interval_pair& direction) const { return m_offset ? Interval_pair{-direction[0], -direction[1]} : direction; }
-  Interval_pair seen(const Interval_pair& point) const { return m_offset ? *m_offset - point : point; }
+
+  template <Enclosing_number Number>
+  std::array<Number, 2> seen(const std::array<Number, 2>& point) const
+  {
+    return m_offset ? std::array<Number, 2>{Number((*m_offset)[0]) - point[0], Number((*m_offset)[1]) - point[1]} : point;
+  }
 };
 
 } // namespace internal
