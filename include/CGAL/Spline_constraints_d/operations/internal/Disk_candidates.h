@@ -194,21 +194,29 @@ private:
   {
     if (candidate.kind != Disk_candidate::Kind::ARC)
       return candidate.kind == Disk_candidate::Kind::VERTEX;
-    if (candidate.range.width() < least_width)
+    if (candidate.range.width() < (std::max)(least_width, way_of_contact(part, candidate.bounds)))
       return true;
     const auto size = [](const auto& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
-    const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds);
+    const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds, least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
     return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5;
   }
 
+  // About how far the contact moves over the part, if that is known: far where disks are nearly half-planes, and a segment nearly on their border.
+  static double way_of_contact(const Front_part& part, const Curvature_bounds& k)
+  {
+    constexpr double most_ratio = 16;   // of bounds of k_vv
+    const double speed = (std::max)(-k.duv.inf(), k.duv.sup()) / -k.dvv.sup();
+    return k.dvv.sup() < 0 && k.dvv.inf() >= most_ratio * k.dvv.sup() && std::isfinite(speed) ? part.range.width() * speed : 0;
+  }
+
   // Where nothing is known of the curvature, beside the front, only the way of the touching point counts: to split the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller the part is already.
-  static double relevance_of_turn(const Front_part& part, const Curvature_bounds& k)
+  static double relevance_of_turn(const Front_part& part, const Curvature_bounds& k, bool is_on_line_or_circle)
   {
     if (!std::isfinite(k.value.sup()))
       return 0;
-    const bool has_one_maximum = certain_sign(k.dv) != 0 || k.dvv.sup() < 0;
+    const bool has_one_maximum = is_on_line_or_circle || certain_sign(k.dv) != 0 || k.dvv.sup() < 0;
     return has_one_maximum ? 1 : std::clamp(64 * part.range.width(), 1.0 / 64, 0.25);
   }
 

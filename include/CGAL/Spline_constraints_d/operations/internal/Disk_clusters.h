@@ -104,6 +104,8 @@ public:
 private:
   Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
 
+  Curvature_bounds at(const Front_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
+
   // Neighbouring candidates form one cluster.
   void collect(const std::vector<Disk_candidate>& candidates)
   {
@@ -146,15 +148,40 @@ private:
       bool are_ends_known = true;
       for (const bool end : {false, true})
         if (cluster.touches(end)) {
-          const double v = end ? 1 : 0;
-          const int sign = certain_sign(at(m_part, cluster.arc, {v, v}).dv) * (end ? 1 : -1);
+          const int sign = certain_sign(at(m_part, Arc_end{cluster.arc, end}).dv) * (end ? 1 : -1);
           cluster.ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
           are_ends_known = are_ends_known && sign != 0;
         }
       if (are_ends_known)
         return true;
     }
-    return has_known_slopes(cluster) || is_concave;
+    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster);
+  }
+
+  /*
+  Disks that touch the front in one point are nested, and a line or circle meets the boundary of each in two points at most: those of its points through which there are disks of at least some positive curvature are connected, and the curvature has one maximum there.
+  */
+  bool has_one_maximum_on_line_or_circle(Cluster& cluster) const
+  {
+    const Site_arc_2& arc = m_graph.arcs()[cluster.arc];
+    const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
+    if (!(m_least > 0) || !arc.is_on_line_or_circle() || m_curvature.is_arc_scaled(cluster.arc) || !is_only)
+      return false;
+    std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
+    for (const bool end : {false, true})
+      if (cluster.touches(end)) {
+        const Curvature_bounds k = at(m_part, Arc_end{cluster.arc, end});
+        if (k.value.sup() < m_least)
+          continue;
+        if (!(k.value.inf() >= m_least))
+          return false;
+        const int sign = certain_sign(k.dv) * (end ? 1 : -1);
+        ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+      }
+    if (ends[0] != End_state::NOT_A_MAXIMUM && ends[1] != End_state::NOT_A_MAXIMUM)   // of nearly a whole circle
+      return false;
+    cluster.ends = ends;
+    return true;
   }
 
   // Whether one of several parts of an arc where the curvature is concave is lower than what is beyond one of its ends.

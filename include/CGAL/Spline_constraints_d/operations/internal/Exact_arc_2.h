@@ -66,6 +66,8 @@ public:
   // The circle the arc lies on.
   const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
 
+  bool is_on_line_or_circle() const { return m_is_straight || m_circle; }
+
   // Whether a point is on the line of a straight arc, or on the circle of another one.
   bool is_on_line_or_circle(const Exact_pair& p) const
   {
