@@ -35,15 +35,15 @@ Where a disk of a given radius r that touches a front has no curve inside.
 
 With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the front, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one contact is
 left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Opposite_sites, Covering_sites).
+
+What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
 */
 template <Enclosing_number Interval>
 class Basic_free_disks
 {
-  using Interval_pair = std::array<Interval, 2>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
   using Front = Basic_front<Interval>;
   using Front_part = Basic_front_part<Interval>;
-  using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Disk_candidates = Basic_disk_candidates<Interval>;
@@ -149,23 +149,14 @@ private:
       return;
     }
     const Front_part part = m_curvature.part(front, range);
-    if (hold_nearest(part, candidates)) {
-      m_swept.append_covered();
-      return;
-    }
-    const Interval wanted = wanted_curvature(part);
-    const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(front, {range.middle(), range.middle()})), wanted_slope(part), wanted.inf()});
-    if (!least || *least > wanted.sup()) {
+    const auto least = hold_nearest(part, candidates) ? std::nullopt : prune(part, candidates);
+    if (!least) {
       m_swept.append_covered();
       return;
     }
     if (range.width() < width_of_ties)
       std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_opposite_sites->contain(candidate); });
-    if (append_pocket(part, candidates) || append_touching(part, candidates))
-      return;
-    if (append_by_reach(part, candidates))
-      return;
-    if (resolve(part, candidates, *least))
+    if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) || resolve(part, candidates, *least))
       return;
     const bool is_last = range.width() < least_width || ++m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
     if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(front, range, candidates, is_last)))
@@ -177,6 +168,15 @@ private:
     const double middle = range.begin + split_ratio * range.width();
     sweep(front, {range.begin, middle}, candidates);
     sweep(front, {middle, range.end}, std::move(candidates));
+  }
+
+  // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters; nothing if all of the disks hold something.
+  std::optional<double> prune(const Front_part& part, std::vector<Disk_candidate>& candidates) const
+  {
+    const double u = part.range.middle();
+    const Interval wanted = wanted_curvature(part);
+    const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(part.front, {u, u})), wanted_slope(part), wanted.inf()});
+    return least && *least <= wanted.sup() ? least : std::nullopt;
   }
 
   // Decides a part that is not divided any more, where doubles are left: whether some sites cover it all.
