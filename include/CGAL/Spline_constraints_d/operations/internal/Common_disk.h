@@ -50,7 +50,7 @@ public:
     }
     for (const Disk_branch& contact : contacts)
       if (!m_squared_radius)
-        m_squared_radius = squared_radius(contact.contact);
+        m_squared_radius = contact.move ? squared_distance_from_end({contact.move->arc, contact.move->parameter == 1}) : squared_radius(contact.contact);
   }
 
   // Whether it touches a part of a front, on the side of the normals.
@@ -82,7 +82,7 @@ public:
   {
     if (!m_squared_radius || !m_graph.is_exact(end) || m_curvature.is_arc_scaled(end.arc))
       return false;
-    const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.is_end ? 1 : 0));
+    const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
     return squared_distance_from(q) == *m_squared_radius && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
   }
 
@@ -104,6 +104,12 @@ private:
     const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a);
     const Exact_rational area = exact_cross(d, exact_difference(m_center, a));
     return Exact_rational(area * area / exact_dot(d, d));
+  }
+
+  // Of the point in which a contact goes over from an arc to the next one.
+  std::optional<Exact_rational> squared_distance_from_end(const Arc_end& end) const
+  {
+    return m_graph.is_exact(end) && !m_curvature.is_arc_scaled(end.arc) ? std::optional(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter())))) : std::nullopt;
   }
 
   // The squared radius of the disk that touches a contact, if it is known to be rational.

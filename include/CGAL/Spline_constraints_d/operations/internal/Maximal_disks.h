@@ -77,7 +77,7 @@ class Basic_maximal_disks
   static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-48, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
-  static constexpr int most_nodes = 10000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
+  static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
 
   template <Enclosing_number Other>
   friend class Basic_maximal_disks;
