@@ -4,7 +4,9 @@
 // The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
@@ -79,6 +81,8 @@ public:
 
 static_assert(SC::internal::Enclosing_number<Least_number> && SC::internal::Enclosing_number<Fine_interval>);
 template class SC::internal::Basic_disk_curvature<Least_number>;
+template class SC::internal::Basic_disk_reach<Least_number>;
+template class SC::internal::Basic_nearest_sites<Least_number>;
 
 SC::internal::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
 {

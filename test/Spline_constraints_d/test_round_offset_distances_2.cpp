@@ -161,3 +161,31 @@ TEST(RoundOffsetDistances, RandomDrawingOnAGrid)
     inside += expect_points_of_offset(curves, region, r, random);
   EXPECT_GT(inside, 20);
 }
+
+// A hook with a round tip. Inside of its bend, the derivative of a cubic is zero where the tip begins: disks in the stroke touch the tip there, and the other side.
+TEST(RoundOffsetDistances, HookWithZeroDerivatives)
+{
+  Curves curves;
+  P last(5, 1);
+  const auto append = [&](std::vector<P> points) {
+    points.insert(points.begin(), last);
+    last = points.back();
+    curves.push_back(SC::bezier_curve(points));
+  };
+  append({P(5, 4)});
+  append({P(1, 4)});
+  append({P(0, 4), P(0, 3), P(0, 3)});
+  append({P(0, 2.45), P(-0.45, 2), P(-1, 2)});
+  append({P(-1.55, 2), P(-2, 2.45), P(-2, 3)});
+  append({P(-2, 4.25), P(-1.25, 5.25), P(-0.5, 5.625)});
+  append({P(0.25, 6), P(1, 6), P(1, 6)});
+  append({P(7, 6)});
+  append({P(7, 1)});
+  append({P(5, 1)});
+  const auto region = SC::planar_region(curves);
+  std::mt19937 random(3);
+  int inside = 0;
+  for (const double r : {-0.5, -0.3})
+    inside += expect_points_of_offset(curves, region, r, random);
+  EXPECT_GT(inside, 10);
+}

@@ -306,6 +306,22 @@ TEST(VoronoiDiagrams, NearestSites)
   EXPECT_TRUE(SC::voronoi_diagram(Curves()).nearest_sites(P(0, 0)).empty());
 }
 
+// Distances that are equal but for 1e-12 to 1e-24: from the vertices of two parabolas, y = +- (1 + x^2), and from two points.
+TEST(VoronoiDiagrams, NearestOfTwoThatAreNearlyEqual)
+{
+  using Sites = std::vector<std::size_t>;
+  const Diagram parabolas = SC::voronoi_diagram(Curves{bezier({P(-2, -5), P(-0.5, 1), P(1, -2)}), bezier({P(-1, 2), P(0.5, -1), P(2, 5)})}), points = SC::voronoi_diagram(Curves(), {P(-1, 0), P(1, 0)});
+  for (const int exponent : {40, 56, 60, 80}) {
+    const double shift = std::exp2(-exponent);
+    EXPECT_EQ(parabolas.nearest_sites(P(0, -shift)), Sites{0}) << exponent;
+    EXPECT_EQ(parabolas.nearest_sites(P(0, shift)), Sites{1}) << exponent;
+    EXPECT_EQ(points.nearest_sites(P(-shift, 5)), Sites{0}) << exponent;
+    EXPECT_EQ(points.nearest_sites(P(shift, 5)), Sites{1}) << exponent;
+  }
+  EXPECT_EQ(parabolas.nearest_sites(P(0, 0)), (Sites{0, 1}));
+  EXPECT_EQ(points.nearest_sites(P(0, 5)), (Sites{0, 1}));
+}
+
 // What drawings contain: pieces on one line, tiny segments, segments that are given twice, concentric circles. The bisectors of different curves are known.
 template <class Is_on_bisector>
 void expect_bisector(const Curves& curves, const Is_on_bisector& is_on_bisector)

@@ -113,6 +113,7 @@ private:
 
   std::shared_ptr<const internal::Site_graph_2> m_graph;
   std::shared_ptr<const internal::Disk_diagram> m_diagram;
+  std::shared_ptr<const internal::Fine_level> m_fine_level;   // of the graph
   internal::Site_tree_2 m_tree;
   std::vector<Site> m_sites;
   std::vector<Vertex> m_vertices;
@@ -122,7 +123,7 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph)
+  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_fine_level(std::make_shared<internal::Fine_level>(*m_graph)), m_tree(*m_graph)
   {
     const Upward_rounding_guard guard;
     make_sites();
@@ -179,7 +180,7 @@ public:
   }
 
   /*!
-  the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be. These are equally near up to rounding, as in points of an edge.
+  the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be. These are equally near, as in points of an edge, up to about 10^-28 of the distances; what doubles do not tell apart is decided with 128 bits.
 
   \param point the point. The answer does not depend on whether the diagram is complete.
   \throws Invalid_input when a coordinate is not finite.
@@ -189,8 +190,7 @@ public:
   std::vector<std::size_t> nearest_sites(const Point& point) const
   {
     const Upward_rounding_guard guard;
-    const internal::Interval_pair p{internal::interval_of(internal::converted_number<Exact_rational>(point.x())), internal::interval_of(internal::converted_number<Exact_rational>(point.y()))};
-    return internal::Nearest_sites_2(*m_graph, m_tree, p)();
+    return internal::nearest_sites(*m_graph, m_tree, *m_fine_level, {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
   }
 
 private:

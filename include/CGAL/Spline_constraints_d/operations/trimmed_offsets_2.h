@@ -27,7 +27,7 @@ the trimmed offset of curves and points in the plane: the boundary of the set of
 
 Open curves are offset on both sides, with round ends. Curves may cross each other, share end points, and be given twice or have pieces in common, which are offset once, as those of the curve with the lowest index.
 
-Along each side of each polynomial piece, and all normals of each end, those disks of the given radius are found that have no curve inside. By subdivision with interval arithmetic in double precision, as for a `voronoi_diagram()`: it is proved where they are free, or covered; the ends between are zeros of functions of one variable, and proved to be the only ones; and
+Along each side of each polynomial piece, and all normals of each end, those disks of the given radius are found that have no curve inside. By subdivision with interval arithmetic, as for a `voronoi_diagram()`, in double precision, and with 128 bits where that does not decide: it is proved where they are free, or covered; the ends between are zeros of functions of one variable, and proved to be the only ones; and
 each is connected to the other curve that the disk touches there, not by coordinates.
 
 Where disks are touched from opposite, as between parallel walls at exactly twice the distance, or two corners, the offset is the limit of those at greater distances: offsets that coincide bound nothing, and where two touch in a point, both end in it. That is decided exactly if the point is an end of one of the curves, and opposite to an end or a straight part of the other one, and for arcs of circles with one center.

@@ -59,21 +59,38 @@ public:
     return result;
   }
 
+  // A curvature of the disks of a part as a function of the parameter of the front: its value in the middle, its derivative over the part, and a lower bound.
+  struct Level
+  {
+    Interval at_middle, slope;
+    double least = 0;
+  };
+
   /*
   Removes candidates that cannot be touched over a part of the front, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
   or its highest point is its end, which it shares with a neighbour; or it is behind the front. Returns a curvature that is attained for all disks, of which one may be known.
   */
-  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const
+  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const { return prune(part, candidates, known_least, nullptr)->least; }
+
+  // The same if disks of less curvature than a wanted one do not matter. Nothing is returned, and candidates are not told, if that is exceeded throughout.
+  std::optional<double> prune(const Front_part& part, std::vector<Disk_candidate>& candidates, const Level& wanted) const
+  {
+    const auto attained = prune(part, candidates, wanted.least, &wanted);
+    return attained ? std::optional(attained->least) : std::nullopt;
+  }
+
+  // With a curvature of which one is known to be attained, and one that is wanted, or none.
+  std::optional<Level> prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least, const Level* wanted) const
   {
     const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
     const Interval shift = interval_of<Interval>(part.range) - Interval(part.range.middle());
-    Attained attained{Interval(0), Interval(0)};
+    Level attained{Interval(0), Interval(0)};
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
     const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet)); };
-    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
+    const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (wanted != nullptr && is_too_low(candidate, *wanted, shift)) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.are_outside_own_circle(part, points(candidate))); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
     const auto add_parts = [&] {
@@ -87,6 +104,8 @@ public:
     std::vector<std::size_t> settled;
     for (add_parts(); !open.empty();) {
       for (; !open.empty(); add_parts()) {
+        if (wanted != nullptr && (attained.at_middle - wanted->at_middle + (attained.slope - wanted->slope) * shift).inf() > 0)
+          return std::nullopt;
         const std::size_t i = open.top().second;
         open.pop();
         if (is_low(pool[i]))
@@ -107,7 +126,7 @@ public:
     }
     for (const std::size_t i : settled)
       candidates.push_back(pool[i]);
-    return attained.least;
+    return attained;
   }
 
   // Whether sites are scaled that a candidate holds.
@@ -133,14 +152,7 @@ public:
 private:
   Interval_pair box(std::size_t node) const { return {m_tree.node(node).box[0], m_tree.node(node).box[1]}; }
 
-  // A curvature that is attained for all disks, and the one that is attained by some point, as a function of the parameter of the front: its value in the middle, and its derivative.
-  struct Attained
-  {
-    Interval at_middle, slope;
-    double least = 0;
-  };
-
-  static bool is_too_low(const Disk_candidate& candidate, const Attained& attained, const Interval& shift)
+  static bool is_too_low(const Disk_candidate& candidate, const Level& attained, const Interval& shift)
   {
     const Curvature_bounds& k = candidate.bounds;
     if (k.is_below_vertex || k.value.sup() < attained.least || k.value.sup() <= 0)
@@ -156,7 +168,7 @@ private:
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
-  void bound(const Front_part& part, const Front_part& middle, Disk_candidate& candidate, Attained& attained) const
+  void bound(const Front_part& part, const Front_part& middle, Disk_candidate& candidate, Level& attained) const
   {
     Curvature_bounds& k = candidate.bounds;
     if (candidate.kind == Disk_candidate::Kind::NODE) {

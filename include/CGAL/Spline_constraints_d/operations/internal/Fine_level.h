@@ -4,11 +4,15 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FINE_LEVEL_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_FINE_LEVEL_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_candidate.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_interval.h>
 
+#include <cmath>
+#include <cstddef>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -24,7 +28,19 @@ class Fine_level
   mutable std::optional<Basic_scaled_sites<Fine_interval>> m_fine_scaled;
 
 public:
+  static constexpr int most_nodes = 50;                  // of a sweep along a front that do not help
+  static constexpr std::size_t most_candidates = 100;   // of parts of a front that are tried
+
   explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+
+  // Whether a part is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
+  static bool is_tried(const Range& range, double split_ratio)
+  {
+    constexpr double most_width = 0x1p-20;
+    constexpr int halvings = 4;   // between two tries
+    const auto step = [](double width) { return std::ilogb(width) / halvings; };
+    return range.width() < most_width && step(range.width()) != step(range.width() / (1 - split_ratio));
+  }
 
   const Basic_site_graph_2<Fine_interval>& graph() const
   {
@@ -40,6 +56,15 @@ public:
   {
     const auto& fine_graph = graph();
     return Basic_disk_curvature<Fine_interval>(fine_graph, m_fine_scaled ? &*m_fine_scaled : nullptr);
+  }
+
+  // Candidates with enclosures of this level.
+  std::vector<Basic_disk_candidate<Fine_interval>> candidates(const std::vector<Disk_candidate>& candidates) const
+  {
+    std::vector<Basic_disk_candidate<Fine_interval>> result;
+    for (const Disk_candidate& candidate : candidates)
+      result.push_back({candidate.kind, candidate.index, candidate.range, candidate.kind == Candidate_kind::ARC ? graph().arcs()[candidate.index].jet(candidate.range) : Basic_curve_jet<Fine_interval>()});
+    return result;
   }
 };
 

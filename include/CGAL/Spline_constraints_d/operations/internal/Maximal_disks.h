@@ -78,10 +78,6 @@ class Basic_maximal_disks
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
-  static constexpr double most_fine_width = 0x1p-20;     // of parts for which the fine level is tried, each time after some halvings
-  static constexpr int halvings_between_fine_parts = 4;
-  static constexpr int most_fine_nodes = 50;             // that do not help, of a front
-  static constexpr std::size_t most_fine_candidates = 100;   // of parts that are tried
 
   template <Enclosing_number Other>
   friend class Basic_maximal_disks;
@@ -166,7 +162,7 @@ private:
     if (resolve(part, candidates, least))
       return;
     const bool is_last = range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
-    if ((is_last || is_fine_level_tried(range)) && resolve_on_fine_level(front, range, candidates, is_last))
+    if ((is_last || Fine_level::is_tried(range, split_ratio)) && resolve_on_fine_level(front, range, candidates, is_last))
       return;
     if (is_last) {
       if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
@@ -179,25 +175,14 @@ private:
     sweep(front, {middle, range.end}, std::move(candidates));
   }
 
-  // At some widths of parts, so that where doubles do not decide at all they need not be halved to the end.
-  static bool is_fine_level_tried(const Range& range)
-  {
-    const auto step = [](double width) { return std::ilogb(width) / halvings_between_fine_parts; };
-    return range.width() < most_fine_width && step(range.width()) != step(range.width() / (1 - split_ratio));
-  }
-
   // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is not the last one.
   bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
   {
     if constexpr (is_in_doubles) {
-      if (m_fine_level == nullptr || m_fine_nodes >= most_fine_nodes || candidates.size() > most_fine_candidates)
+      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || candidates.size() > Fine_level::most_candidates)
         return false;
-      const auto& graph = m_fine_level->graph();
-      std::vector<Basic_disk_candidate<Fine_interval>> left;
-      for (const Disk_candidate& candidate : candidates)
-        left.push_back({candidate.kind, candidate.index, candidate.range, candidate.kind == Candidate_kind::ARC ? graph.arcs()[candidate.index].jet(candidate.range) : Basic_curve_jet<Fine_interval>()});
-      Basic_maximal_disks<Fine_interval> disks(graph, m_tree, m_fine_level->curvature(), m_cusps);
-      const auto stretches = disks.resolved(front, range, std::move(left), *m_slopes, is_last ? most_fine_nodes - m_fine_nodes : 0);
+      Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
+      const auto stretches = disks.resolved(front, range, m_fine_level->candidates(candidates), *m_slopes, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;
       if (stretches)
         append(*stretches);

@@ -4,9 +4,12 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_NEAREST_SITES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_NEAREST_SITES_2_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -16,63 +19,75 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// What may be nearest to a point, without a distance.
+struct Near_part
+{
+  Candidate_kind kind;
+  std::size_t index;
+  Range range{};
+};
+
 /*
 The sites that are nearest to a point: arcs without their ends, and vertices.
 
-Boxes of the tree and ranges of arcs are split until all that are not certainly farther away than another one belong to one site, or are too small. A range on which the distance is monotone has its nearest point in one of its ends: if that is within the arc it is left to the next range, else to the vertex.
+Boxes of the tree and ranges of arcs are split until all that are not certainly farther away than another one belong to one site, or are too small. A range on which the distance is monotone has its nearest point in one of its ends: if that is within the arc it is left to the next range, else to the vertex. Where it is not, its derivative is small, so that the mean value form encloses it well.
 */
-class Nearest_sites_2
+template <Enclosing_number Interval>
+class Basic_nearest_sites
 {
-  static constexpr double least_width = 0x1p-40;
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
 
-  enum class Kind { NODE, ARC, VERTEX };
+  using Kind = Candidate_kind;
 
-  struct Candidate
+  static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-40 : 0x1p-48;
+
+  struct Candidate : Near_part
   {
-    Kind kind;
-    std::size_t index;
-    Range range{};
     Interval squared_distance{};
   };
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
   Interval_pair m_point;
-  double m_most = std::numeric_limits<double>::infinity();   // bound of the least squared distance
+  Interval m_least{0, std::numeric_limits<double>::infinity()};   // squared distance
+  std::vector<Candidate> m_candidates;
 
 public:
-  Nearest_sites_2(const Site_graph_2& graph, const Site_tree_2& tree, const Interval_pair& point) : m_graph(graph), m_tree(tree), m_point(point) {}
-
-  // The nearest sites: vertices are counted behind arcs. One, if it is proved; all that may be, if it is not.
-  std::vector<std::size_t> operator()()
+  // Among some parts of the sites.
+  Basic_nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Exact_pair& point, const std::vector<Near_part>& parts) : m_graph(graph), m_tree(tree), m_point(interval_pair_of<Interval>(point))
   {
-    std::vector<Candidate> candidates;
-    if (!m_tree.empty())
-      add(candidates, {Kind::NODE, 0});
+    for (const Near_part& part : parts)
+      add(m_candidates, part);
     bool is_split = true;
-    while (is_split && !belong_to_one_site(candidates)) {
+    while (is_split && !belong_to_one_site(m_candidates)) {
       is_split = false;
-      std::vector<Candidate> parts;
-      for (const Candidate& candidate : candidates)
-        is_split = split(candidate, parts) || is_split;
-      std::erase_if(parts, [&](const Candidate& candidate) { return candidate.squared_distance.inf() > m_most; });
-      candidates = std::move(parts);
+      std::vector<Candidate> candidates;
+      for (const Candidate& candidate : m_candidates)
+        is_split = split(candidate, candidates) || is_split;
+      std::erase_if(candidates, [&](const Candidate& candidate) { return is_farther(candidate); });
+      m_candidates = std::move(candidates);
     }
-    return sites_of(candidates);
   }
 
-private:
-  std::size_t site_of(const Candidate& candidate) const { return candidate.index + (candidate.kind == Kind::VERTEX ? m_graph.arcs().size() : 0); }
-
-  std::vector<std::size_t> sites_of(const std::vector<Candidate>& candidates) const
+  // The nearest sites: vertices are counted behind arcs. One, if it is proved; all that may be, if it is not.
+  std::vector<std::size_t> sites() const
   {
     std::vector<std::size_t> result;
-    for (const Candidate& candidate : candidates)
+    for (const Candidate& candidate : m_candidates)
       result.push_back(site_of(candidate));
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
+
+  // The parts of the sites in which the nearest points are.
+  std::vector<Near_part> parts() const { return {m_candidates.begin(), m_candidates.end()}; }
+
+private:
+  std::size_t site_of(const Candidate& candidate) const { return candidate.index + (candidate.kind == Kind::VERTEX ? m_graph.arcs().size() : 0); }
 
   // Whether the nearest point is known to be on one arc inside, or a vertex.
   bool belong_to_one_site(const std::vector<Candidate>& candidates) const
@@ -83,20 +98,31 @@ private:
     });
   }
 
-  void add(std::vector<Candidate>& candidates, Candidate candidate)
+  bool is_farther(const Candidate& candidate) const { return certain_sign(candidate.squared_distance - m_least) > 0; }
+
+  void add(std::vector<Candidate>& candidates, const Near_part& part)
   {
-    const Interval_pair box = candidate.kind == Kind::NODE   ? m_tree.node(candidate.index).box
-                              : candidate.kind == Kind::ARC ? m_graph.arcs()[candidate.index].point(candidate.range)
-                                                             : m_graph.vertices()[candidate.index].point;
-    candidate.squared_distance = squared_norm(box - m_point);
-    m_most = (std::min)(m_most, candidate.squared_distance.sup());   // there is a point in the box
-    candidates.push_back(candidate);
+    candidates.push_back({part, squared_distance(part)});
+    m_least = common_part(m_least, hull(Interval(0), candidates.back().squared_distance));   // there is a point in the part
+  }
+
+  Interval squared_distance(const Near_part& part) const
+  {
+    if (part.kind == Kind::NODE)
+      return squared_norm(Interval_pair{m_tree.node(part.index).box[0], m_tree.node(part.index).box[1]} - m_point);
+    if (part.kind == Kind::VERTEX)
+      return squared_norm(m_graph.vertices()[part.index].point - m_point);
+    const Site_arc_2& arc = m_graph.arcs()[part.index];
+    const double middle = part.range.middle();
+    const Curve_jet jet = arc.jet(part.range, 1);
+    const Interval_pair way = jet[0] - m_point;
+    return common_part(squared_norm(way), squared_norm(arc.point({middle, middle}) - m_point) + Interval(2) * dot(way, jet[1]) * (interval_of<Interval>(part.range) - Interval(middle)));
   }
 
   // Adds the parts of a candidate, or itself; returns whether it has been split.
   bool split(const Candidate& candidate, std::vector<Candidate>& parts)
   {
-    if (candidate.squared_distance.inf() > m_most)
+    if (is_farther(candidate))
       return false;
     switch (candidate.kind) {
     case Kind::NODE: split_node(m_tree.node(candidate.index), parts); return true;
@@ -135,6 +161,16 @@ private:
     return true;
   }
 };
+
+// The sites that are nearest to a point: one, if it is proved; all that may be, if it is not. What doubles do not tell apart is decided on the fine level.
+inline std::vector<std::size_t> nearest_sites(const Site_graph_2& graph, const Site_tree_2& tree, const Fine_level& fine_level, const Exact_pair& point)
+{
+  if (tree.empty())
+    return {};
+  const Basic_nearest_sites<Interval> in_doubles(graph, tree, point, {{Candidate_kind::NODE, 0}});
+  const std::vector<std::size_t> result = in_doubles.sites();
+  return result.size() > 1 ? Basic_nearest_sites<Fine_interval>(fine_level.graph(), tree, point, in_doubles.parts()).sites() : result;
+}
 
 } // namespace internal
 } // namespace Spline_constraints

@@ -144,10 +144,11 @@ Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exa
 {
   const Site_tree_2 tree(*graph);
   const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
+  const Fine_level fine_level(*graph);
   std::vector<Free_ranges> ranges(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    ranges[fronts[i]] = Free_disks(*graph, tree, cusps, radius)(fronts[i]);
+    ranges[fronts[i]] = Free_disks(*graph, tree, cusps, radius, &fine_level)(fronts[i]);
   });
   return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
 }

@@ -58,11 +58,12 @@ public:
   }
 
   // Whether no disk holds a candidate. The places where it is touched are kept.
-  bool contain(const Disk_candidate& candidate)
+  template <Enclosing_number Number>
+  bool contain(const Basic_disk_candidate<Number>& candidate)
   {
     const auto [position, is_new] = m_is_beyond.try_emplace({candidate.kind, candidate.index}, false);
     if (is_new)
-      position->second = candidate.kind == Disk_candidate::Kind::ARC ? add_arc(candidate.index) : candidate.kind == Disk_candidate::Kind::VERTEX && add_vertex(candidate.index);
+      position->second = candidate.kind == Candidate_kind::ARC ? add_arc(candidate.index) : candidate.kind == Candidate_kind::VERTEX && add_vertex(candidate.index);
     return position->second;
   }
 

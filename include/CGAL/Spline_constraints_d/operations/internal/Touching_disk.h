@@ -27,8 +27,17 @@ A disk of a given radius r that touches a front in a point X(a), and a site in a
 The disk of u holds Y(v) where a function H(u,v) is negative (see Disk_reach). Here H(a,b) = 0, which is decided exactly, as is whether H_u and H_v are zero there: for points opposite to each other, and where the site is tangent to the disk. Where they are not, bounds over a box tell their signs, and where they are, bounds of the second derivatives tell the signs of H in all
 quadrants around (a,b): whether H is positive but in (a,b), so that the site is never held; or negative for some v, whatever u.
 */
-class Touching_disk
+template <Enclosing_number Interval>
+class Basic_touching_disk
 {
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+  using Disk_reach = Basic_disk_reach<Interval>;
+  using Jet = typename Disk_reach::Jet;
+
   static constexpr double most_way = 0x1p-4;   // between a point of an arc and the part of it that is looked at
 
   // From (a,b) to the border of a box.
@@ -49,8 +58,8 @@ class Touching_disk
 
 public:
   // At a parameter of a front that ends exactly.
-  Touching_disk(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius, const Exact_rational& parameter)
-    : m_graph(graph), m_front(graph.fronts()[front]), m_radius(interval_of(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_front, parameter)), m_normal(graph.exact_normal(m_front, parameter))
+  Basic_touching_disk(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius, const Exact_rational& parameter)
+    : m_graph(graph), m_front(graph.fronts()[front]), m_radius(interval_of<Interval>(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_front, parameter)), m_normal(graph.exact_normal(m_front, parameter))
   {}
 
   static bool is_defined(const Site_graph_2& graph, std::size_t front)
@@ -160,13 +169,13 @@ private:
       const Held held = reach.hold_vertex(index);
       return {held, held};
     }
-    const Disk_reach::Jet h = reach.of_vertex(index);
+    const Jet h = reach.of_vertex(index);
     const auto side = [&](const Way& u) { return held_beside(h, u, is_opposite(vertex.exact_point)); };
     return {side(m_ways[0]), side(m_ways[1])};
   }
 
   // Whether a point is held that is touched in a.
-  static Held held_beside(const Disk_reach::Jet& h, const Way& u, bool is_opposite)
+  static Held held_beside(const Jet& h, const Way& u, bool is_opposite)
   {
     const int sign = is_opposite ? certain_sign(h.uu) : u.direction * certain_sign(h.u);
     return sign > 0 ? Held::NO : sign < 0 ? Held::YES : Held::UNKNOWN;
@@ -183,7 +192,7 @@ private:
     const Range location{interval_of(*b).inf(), interval_of(*b).sup()}, range = united(part, location);
     const Exact_pair y = site.at(*b), center = m_disk->center;
     const bool is_tangent = sign_of(exact_dot(site.tangent_at(*b), exact_difference(y, center))) == 0;
-    const Disk_reach::Jet h = reach.of_arc(arc, range), at_b = reach.of_point(arc, location);
+    const Jet h = reach.of_arc(arc, range), at_b = reach.of_point(arc, location);
     const int growth = is_tangent ? 0 : reach.growth(arc, range);
     const auto side = [&](const Way& u) {
       Held result = Held::NO;
@@ -197,12 +206,12 @@ private:
 
   static std::array<Way, 2> ways_to_ends(const Range& range, const Exact_rational& parameter)
   {
-    const Interval x = interval_of(parameter);
+    const Interval x = interval_of<Interval>(parameter);
     return {Way{-1, x - Interval(range.begin)}, Way{1, Interval(range.end) - x}};
   }
 
   // Where u and v leave (a,b) in given directions, and the arc is tangent to the disk.
-  static Held held_in_quadrant(const Disk_reach::Jet& h, const Disk_reach::Jet& at_b, const Way& u, const Way& v, bool is_opposite)
+  static Held held_in_quadrant(const Jet& h, const Jet& at_b, const Way& u, const Way& v, bool is_opposite)
   {
     if (held_beside(at_b, u, is_opposite) == Held::YES)
       return Held::YES;
@@ -237,6 +246,8 @@ private:
     return position == parameters.end() ? std::nullopt : std::optional(*position);
   }
 };
+
+using Touching_disk = Basic_touching_disk<Interval>;
 
 } // namespace internal
 } // namespace Spline_constraints
