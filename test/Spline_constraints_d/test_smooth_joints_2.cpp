@@ -179,6 +179,18 @@ TEST(CommonDisks, NearlyASquare)
   EXPECT_EQ(vertices_of_degree(diagram, 3).size(), 2U);
 }
 
+// Between parallel walls, one of which goes over to a third wall in a corner that is rounder than the unit circle: the unit disk touches the walls where the corner begins and ends, and the other wall.
+TEST(CommonDisks, TwoJointsAndAWall)
+{
+  const Curves curves{bezier({P(3, 1), P(0, 1)}), bezier({P(0, 1), P(-0.5625, 1), P(-1, 0.5625), P(-1, 0)}), bezier({P(-1, 0), P(-1, -3)}), bezier({P(1, 0.5), P(1, -3)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves, 0.1, 20);
+  const auto is_common = [](const auto& vertex) { return !vertex.is_at_infinity && vertex.edges.size() == 3 && distance(vertex.point, P(0, 0)) < 1e-9 && std::abs(vertex.radius - 1) < 1e-9; };
+  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_common), 1);
+}
+
 SC::internal::Sign_pattern pattern(const SC::Power_polynomial& p, double a, double b)
 {
   const SC::Upward_rounding_guard guard;
@@ -197,5 +209,8 @@ TEST(BlownUpPolynomials, SignsNearAZero)
   EXPECT_EQ(pattern(a * a * b - b * b * b, 0.01, 0.5), Sign_pattern::FALLING);
   EXPECT_EQ(pattern(a * a + b * b - a * b, 0.1, 0.5), Sign_pattern::POSITIVE);
   EXPECT_EQ(pattern((a - b) * (a - 2 * b), 0.1, 0.5), Sign_pattern::UNKNOWN);
+  EXPECT_EQ(pattern(-a * a - pow(b, 4), 0.1, 0.5), Sign_pattern::NEGATIVE);   // also where b^2 is a
+  EXPECT_EQ(pattern(a * a + pow(b, 4) - a * a * b, 0.1, 0.5), Sign_pattern::POSITIVE);
+  EXPECT_EQ(pattern(a * a + pow(b, 4) - 2 * a * b * b, 0.1, 0.5), Sign_pattern::UNKNOWN);
   EXPECT_EQ(pattern(SC::Power_polynomial(), 0.1, 0.5), Sign_pattern::ZERO);
 }
