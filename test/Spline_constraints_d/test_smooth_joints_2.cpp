@@ -182,7 +182,7 @@ TEST(CommonDisks, NearlyASquare)
 // Between parallel walls, one of which goes over to a third wall in a corner that is rounder than the unit circle: the unit disk touches the walls where the corner begins and ends, and the other wall.
 TEST(CommonDisks, TwoJointsAndAWall)
 {
-  const Curves curves{bezier({P(3, 1), P(0, 1)}), bezier({P(0, 1), P(-0.5625, 1), P(-1, 0.5625), P(-1, 0)}), bezier({P(-1, 0), P(-1, -3)}), bezier({P(1, 0.5), P(1, -3)})};
+  const Curves curves{bezier({P(0, 1), P(-0.5625, 1), P(-1, 0.5625), P(-1, 0)}), bezier({P(3, 1), P(0, 1)}), bezier({P(-1, 0), P(-1, -3)}), bezier({P(1, 0.5), P(1, -3)})};
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_TRUE(diagram.is_complete());
   expect_euler(diagram);

@@ -25,17 +25,6 @@ using Curve = SC::Bspline_curve_2<K>;
 using Curves = std::vector<Curve>;
 using Diagram = SC::Voronoi_diagram_2<K>;
 
-// Every test leaves the rounding mode as it was.
-class Rounding_mode_check : public testing::EmptyTestEventListener
-{
-  void OnTestEnd(const testing::TestInfo& test) override { EXPECT_EQ(CGAL::FPU_get_cw(), CGAL_FE_TONEAREST) << test.name(); }
-};
-
-inline const bool is_rounding_mode_checked = [] {
-  testing::UnitTest::GetInstance()->listeners().Append(new Rounding_mode_check);
-  return true;
-}();
-
 inline Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
 
 inline double distance(const P& p, const P& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
