@@ -3,9 +3,9 @@
 
 // What one of the planar operations says of each of many drawings: a line per drawing that is not complete, is refused, or is slow, and a summary with times.
 //
-//   survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sweep|hull|kernel|visible FILE...
+//   survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE...
 //
-// Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
+// With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -52,26 +54,55 @@ std::string answer_of_diagram(const Diagram& diagram)
 
 std::string answer_of_sum(const SC::Minkowski_sum_2<K>& sum) { return answer(sum.is_complete(), sum.undecided().size()); }
 
+SC::Planar_region_2<K> region(const Curves& curves) { return SC::planar_region(curves); }
+
+SC::Minkowski_sum_2<K> sum_with_disk(const Curves& curves) { return SC::minkowski_sum(region(curves), SC::planar_region(SC::circle_curve(Point(0, 0), SC::Exact_rational(1, 2)))); }
+
+// Of polygons next to the boundary of what an operation returns.
+template <class Result>
+double area(const Result& result)
+{
+  SC::Exact_rational area(0);
+  for (const auto& polygon : result.polygons_with_holes(1e-5)) {
+    area += polygon.outer_boundary().area();
+    for (const auto& hole : polygon.holes())
+      area += hole.area();
+  }
+  return SC::to_nearest_double(area);
+}
+
+std::string answer_of_sum_and_offset(const Curves& curves)
+{
+  constexpr double most_difference = 1e-3;   // of areas, of chords that are no more than 1e-5 away from the arcs
+  const auto sum = sum_with_disk(curves);
+  const auto offset = SC::trimmed_offset(region(curves), 0.5);
+  if (!sum.is_complete() || !offset.is_complete())
+    return answer(false, sum.undecided().size());
+  const double difference = std::abs(area(sum) - area(offset));
+  return difference < most_difference ? "" : "areas differ by " + std::to_string(difference);
+}
+
 // What is asked of the curves of a drawing.
 std::function<std::string(const Curves&)> operation(const std::string& name)
 {
-  const auto region = [](const Curves& curves) { return SC::planar_region(curves); };
   if (name == "diagram")
     return [](const Curves& curves) { return answer_of_diagram(SC::voronoi_diagram(curves)); };
   if (name == "axis")
-    return [=](const Curves& curves) { return answer_of_diagram(SC::medial_axis(region(curves))); };
+    return [](const Curves& curves) { return answer_of_diagram(SC::medial_axis(region(curves))); };
   if (name.starts_with("offset="))
-    return [=, distance = std::atof(name.c_str() + 7)](const Curves& curves) { return answer(SC::trimmed_offset(region(curves), distance).is_complete(), 1); };
+    return [distance = std::atof(name.c_str() + 7)](const Curves& curves) { return answer(SC::trimmed_offset(region(curves), distance).is_complete(), 1); };
   if (name == "square_sum")
-    return [=](const Curves& curves) { return answer_of_sum(SC::minkowski_sum(region(curves), SC::planar_region(SC::polyline_curve(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}})))); };
+    return [](const Curves& curves) { return answer_of_sum(SC::minkowski_sum(region(curves), SC::planar_region(SC::polyline_curve(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}})))); };
   if (name == "disk_sum")
-    return [=](const Curves& curves) { return answer_of_sum(SC::minkowski_sum(region(curves), SC::planar_region(SC::circle_curve(Point(0, 0), SC::Exact_rational(1, 2))))); };
+    return [](const Curves& curves) { return answer_of_sum(sum_with_disk(curves)); };
+  if (name == "sum_and_offset")
+    return answer_of_sum_and_offset;
   if (name == "sweep")
-    return [=](const Curves& curves) { return answer_of_sum(SC::swept_area(region(curves), SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}))); };
+    return [](const Curves& curves) { return answer_of_sum(SC::swept_area(region(curves), SC::bezier_curve<K>({{0, 0}, {1, 2}, {2, -1}, {3, 1}}))); };
   if (name == "hull")
     return [](const Curves& curves) { return answer(SC::convex_hull(curves).is_complete(), 1); };
   if (name == "kernel")
-    return [=](const Curves& curves) { return answer(SC::region_kernel(region(curves)).is_complete(), 1); };
+    return [](const Curves& curves) { return answer(SC::region_kernel(region(curves)).is_complete(), 1); };
   if (name == "visible")
     return [](Curves curves) {
       curves.push_back(SC::polyline_curve(std::vector<Point>{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}, {-1000, -1000}}));
@@ -86,7 +117,7 @@ int main(int argc, char* argv[])
 {
   const auto ask = operation(argc > 1 ? argv[1] : "");
   if (!ask) {
-    std::cerr << "survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sweep|hull|kernel|visible FILE...\n";
+    std::cerr << "survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE...\n";
     return 2;
   }
   int complete = 0, incomplete = 0, refused = 0;
