@@ -11,7 +11,9 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -40,12 +42,50 @@ Bspline_curve<Exact_kernel, d> ellipse(const Point& center, const Vector& a, con
 inline bool are_parallel(const Exact_kernel::Vector_2& a, const Exact_kernel::Vector_2& b) { return a.x() * b.y() == a.y() * b.x(); }
 inline bool are_parallel(const Exact_kernel::Vector_3& a, const Exact_kernel::Vector_3& b) { return CGAL::cross_product(a, b) == CGAL::NULL_VECTOR; }
 
-template <int d, class Point, class Vector>
+// The nearest vector of which all coordinates are multiples of a unit.
+template <class Vector>
+Vector rounded_to_multiples(const Vector& v, const Exact_rational& unit)
+{
+  const auto rounded = [&](int i) { return Exact_rational(Exact_rational(std::round(to_nearest_double(Exact_rational(v.cartesian(i) / unit)))) * unit); };
+  if constexpr (std::is_same_v<Vector, Exact_kernel::Vector_2>)
+    return Vector(rounded(0), rounded(1));
+  else
+    return Vector(rounded(0), rounded(1), rounded(2));
+}
+
+/*
+The ellipse for a kernel. If its numbers are rounded, and so would be control points, the center and the half axes are rounded instead, to multiples of one unit of which all control points are multiples as well, by less than that:
+the curve is an ellipse still, and a circle if it is to be one.
+*/
+template <class Kernel, int d, class Point, class Vector>
+Bspline_curve<Exact_kernel, d> rounded_ellipse(const Point& center, const Vector& a, const Vector& b)
+{
+  using FT = typename Kernel::FT;
+  if constexpr (std::is_floating_point_v<FT>) {
+    Exact_rational greatest = 0;
+    bool is_exact = true;
+    for (int i = 0; i < d; ++i) {
+      greatest = (std::max)(greatest, Exact_rational(CGAL::abs(center[i]) + CGAL::abs(a[i]) + CGAL::abs(b[i])));
+      for (const int m : {-1, 0, 1})
+        for (const int n : {-1, 0, 1}) {
+          const Exact_rational x(center[i] + m * a[i] + n * b[i]);
+          is_exact = is_exact && x == Exact_rational(static_cast<double>(static_cast<FT>(to_nearest_double(x))));
+        }
+    }
+    const double unit = std::ldexp(1.0, std::ilogb(to_nearest_double(greatest)) + 2 - std::numeric_limits<FT>::digits);
+    const Vector c = center - CGAL::ORIGIN, x = is_exact ? a : rounded_to_multiples(a, Exact_rational(unit)), y = is_exact ? b : rounded_to_multiples(b, Exact_rational(unit));
+    if (!is_exact && !are_parallel(x, y))
+      return ellipse<d>(CGAL::ORIGIN + rounded_to_multiples(c, Exact_rational(unit)), x, y);
+  }
+  return ellipse<d>(center, a, b);
+}
+
+template <class Kernel, int d, class Point, class Vector>
 Bspline_curve<Exact_kernel, d> checked_ellipse(const Point& center, const Vector& a, const Vector& b)
 {
   if (are_parallel(a, b))
     throw Invalid_input("ellipse_curve: the two half axes are parallel, or one is zero");
-  return ellipse<d>(center, a, b);
+  return rounded_ellipse<Kernel, d>(center, a, b);
 }
 
 template <class FT>
@@ -55,10 +95,25 @@ void check_positive(const FT& x, const std::string& what)
     throw Invalid_input(what + " is not positive");
 }
 
-// Where on the half round of height 1 the rotation by an angle is, 0 <= angle < 4 quarters: its point is in the direction of the half angle.
-inline Exact_rational turn_parameter(const Exact_rational& cosine, const Exact_rational& sine)
+// A product of two vectors divided by their lengths: these are equal, up to rounding.
+inline Exact_rational divided_by_lengths(const Exact_rational& product, const Exact_rational& square, const Exact_rational& other_square)
 {
-  Exact_rational sigma = 1 + cosine, tau = sine;
+  if (square == other_square)
+    return Exact_rational(product / square);
+  const Exact_rational root = to_rational(std::sqrt(to_nearest_double(Exact_rational(product * product / (square * other_square)))));
+  return product < 0 ? Exact_rational(-root) : root;
+}
+
+// 1 + cos, which near a half turn is more accurate from the sine, where numbers are rounded.
+inline Exact_rational one_plus_cosine(const Exact_rational& cosine, const Exact_rational& squared_sine)
+{
+  return cosine < 0 ? Exact_rational(squared_sine / (1 - cosine)) : Exact_rational(1 + cosine);
+}
+
+// Where on the half round of height 1 the rotation by an angle is, 0 <= angle < 4 quarters, from 1 + cos and sin: its point is in the direction of the half angle.
+inline Exact_rational turn_parameter(const Exact_rational& one_plus_cosine, const Exact_rational& sine)
+{
+  Exact_rational sigma = one_plus_cosine, tau = sine;
   if (sigma == 0)
     return Exact_rational(2);
   if (tau < 0) {
@@ -89,20 +144,20 @@ inline Bspline_curve_3<Exact_kernel> circle_around(const Exact_kernel::Point_3& 
 /*!
 the ellipse \f$c + a \cos\varphi + b \sin\varphi\f$ of a center and two conjugate half axes, from \f$c + a\f$ by \f$c + b\f$ once around: a closed rational quadratic
 curve over \f$[0,4]\f$, with a quarter of the ellipse between successive integers, and the weights 1, 1, 2, 1, 1, 1, 2, 1, 1. It is continuously differentiable, also at
-its seam. Exact where the kernel is.
+its seam. Exact where the kernel is. In kernels of doubles the center and the half axes are rounded, so that control points need not be: the result is exactly an ellipse, and a circle if it is to be one.
 \throws Invalid_input when the half axes are parallel, or a coordinate is not finite.
 */
 template <SplineKernel Kernel>
 Bspline_curve_2<Kernel> ellipse_curve(const CGAL::Point_2<Kernel>& center, const CGAL::Vector_2<Kernel>& a, const CGAL::Vector_2<Kernel>& b)
 {
-  return Bspline_curve_2<Kernel>(internal::checked_ellipse<2>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
+  return Bspline_curve_2<Kernel>(internal::checked_ellipse<Kernel, 2>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
 }
 
 //! the same in space; with half axes of equal length at a right angle, a circle.
 template <SplineKernel Kernel>
 Bspline_curve_3<Kernel> ellipse_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& a, const CGAL::Vector_3<Kernel>& b)
 {
-  return Bspline_curve_3<Kernel>(internal::checked_ellipse<3>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
+  return Bspline_curve_3<Kernel>(internal::checked_ellipse<Kernel, 3>(internal::exact_object(center), internal::exact_object(a), internal::exact_object(b)));
 }
 
 //! the circle of a center and radius, counterclockwise from its point with the largest \f$x\f$; otherwise as `ellipse_curve()`.
@@ -113,7 +168,7 @@ Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const 
   internal::check_positive(radius, "circle_curve: the radius");
   const Exact_rational r = internal::converted_number<Exact_rational>(radius);
   using Vector = internal::Exact_kernel::Vector_2;
-  return Bspline_curve_2<Kernel>(internal::ellipse<2>(internal::exact_object(center), Vector(r, 0), Vector(0, r)));
+  return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(internal::exact_object(center), Vector(r, 0), Vector(0, r)));
 }
 
 //! the circle of a center through a point, counterclockwise from that point. The radius need not be rational; otherwise as `ellipse_curve()`.
@@ -123,15 +178,15 @@ Bspline_curve_2<Kernel> circle_curve(const CGAL::Point_2<Kernel>& center, const 
 {
   const auto c = internal::exact_object(center);
   const auto s = internal::exact_object(source) - c;
-  return Bspline_curve_2<Kernel>(internal::checked_ellipse<2>(c, s, s.perpendicular(CGAL::COUNTERCLOCKWISE)));
+  return Bspline_curve_2<Kernel>(internal::checked_ellipse<Kernel, 2>(c, s, s.perpendicular(CGAL::COUNTERCLOCKWISE)));
 }
 
 /*!
 the arc of the circle around a center from one point to another. It is a part of the `circle_curve()` of the center through the source (or of the one that runs the other way round,
 if `orientation` is `CGAL::CLOCKWISE`), with the domain \f$[0,v]\f$, where \f$v \le 4\f$ grows with the angle. Exact where the kernel is, whether the radius is rational or not.
 
-In kernels of doubles the target is the point of the circle in the direction of the given one.
-\throws Invalid_input when source or target is the center, they are the same point, the target is not on the circle (where numbers are exact), `orientation` is
+In kernels of doubles the target is the point of the circle in the direction of the given one, and the center and the source are rounded as for the whole circle; arcs of quarters are exactly circular.
+\throws Invalid_input when source or target is the center, they are in the same direction from it, the target is not on the circle (where numbers are exact), `orientation` is
 `CGAL::COLLINEAR`, or a coordinate is not finite.
 */
 template <SplineKernel Kernel>
@@ -139,21 +194,20 @@ Bspline_curve_2<Kernel> circular_arc_curve(const CGAL::Point_2<Kernel>& center, 
                                            CGAL::Orientation orientation = CGAL::COUNTERCLOCKWISE)
 {
   const auto c = internal::exact_object(center);
-  const auto s = internal::exact_object(source) - c;
-  auto t = internal::exact_object(target) - c;
+  const auto s = internal::exact_object(source) - c, t = internal::exact_object(target) - c;
   if (s == CGAL::NULL_VECTOR || t == CGAL::NULL_VECTOR || s == t)
     throw Invalid_input("circular_arc_curve: source, target and center are not three different points");
   if (orientation == CGAL::COLLINEAR)
     throw Invalid_input("circular_arc_curve: no orientation");
-  if (s.squared_length() != t.squared_length()) {
-    if constexpr (!std::is_floating_point_v<typename Kernel::FT>)
-      throw Invalid_input("circular_arc_curve: source and target have different distances from the center");
-    t = t * to_rational(std::sqrt(to_nearest_double(Exact_rational(s.squared_length() / t.squared_length()))));
-  }
+  const Exact_rational ss = s.squared_length(), tt = t.squared_length();
+  if (!std::is_floating_point_v<typename Kernel::FT> && ss != tt)
+    throw Invalid_input("circular_arc_curve: source and target have different distances from the center");
   const auto side = s.perpendicular(orientation);
-  const Exact_rational squared_radius = s.squared_length();
-  const Exact_rational end = internal::turn_parameter(Exact_rational(s * t / squared_radius), Exact_rational(side * t / squared_radius));
-  return Bspline_curve_2<Kernel>(internal::ellipse<2>(c, s, side).restricted(Exact_rational(0), end));
+  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine = internal::divided_by_lengths(side * t, ss, tt);
+  const Exact_rational end = internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(sine * sine)), sine);
+  if (end == 0)
+    throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
+  return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(c, s, side).restricted(Exact_rational(0), end));
 }
 
 /*!
@@ -172,7 +226,7 @@ the part of that circle from its source to another point of it, counterclockwise
 the angle. Exact where the kernel is.
 
 In kernels of doubles the target is the point of the circle in the direction of the given one.
-\throws Invalid_input as `circle_curve()`; when the target is on the line, or is the source; and when it is not on the circle (where numbers are exact).
+\throws Invalid_input as `circle_curve()`; when the target is on the line, or in the direction of the source; and when it is not on the circle (where numbers are exact).
 */
 template <SplineKernel Kernel>
 Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, const CGAL::Vector_3<Kernel>& direction, const CGAL::Point_3<Kernel>& source,
@@ -185,15 +239,14 @@ Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, 
     throw Invalid_input("circular_arc_curve: the target is on the axis, or is the source");
   const Exact_rational squared_axis = n.squared_length();
   const auto arm = [&](const internal::Exact_kernel::Point_3& x) { return (x - c) - n * Exact_rational((x - c) * n / squared_axis); };
-  const auto s = arm(p);
-  auto t = arm(q);
-  if constexpr (std::is_floating_point_v<typename Kernel::FT>)
-    t = t * to_rational(std::sqrt(to_nearest_double(Exact_rational(s.squared_length() / t.squared_length()))));
-  else if (s.squared_length() != t.squared_length() || (q - p) * n != 0)
+  const auto s = arm(p), t = arm(q);
+  const Exact_rational ss = s.squared_length(), tt = t.squared_length(), height = internal::near_inverse_root(squared_axis);
+  if (!std::is_floating_point_v<typename Kernel::FT> && (ss != tt || (q - p) * n != 0))
     throw Invalid_input("circular_arc_curve: the target is not on the circle");
-  const Exact_rational squared_radius = s.squared_length(), height = internal::near_inverse_root(squared_axis);
-  const Exact_rational sine_over_length = n * CGAL::cross_product(s, t) / (squared_axis * squared_radius);
-  const Exact_rational end = internal::turn_parameter(Exact_rational(s * t / squared_radius), Exact_rational(sine_over_length / height));
+  const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine_over_length = internal::divided_by_lengths(n * CGAL::cross_product(s, t) / squared_axis, ss, tt);
+  const Exact_rational end = internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(squared_axis * sine_over_length * sine_over_length)), Exact_rational(sine_over_length / height));
+  if (end == 0)
+    throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
   return Bspline_curve_3<Kernel>(circle.restricted(Exact_rational(0), end));
 }
 

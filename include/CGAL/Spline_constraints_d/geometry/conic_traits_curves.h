@@ -82,7 +82,7 @@ inline Bspline_curve_2<Exact_kernel> arc_of_conic(const Conic_equation& equation
     return arc.source() == source ? arc : arc.reversed();
   }
   const auto ellipse = ellipse_from(equation, source);
-  const Exact_rational end = turn_parameter(Exact_rational(sigma - 1), Exact_rational(tau / conic.height_of_path()));
+  const Exact_rational end = turn_parameter(sigma, Exact_rational(tau / conic.height_of_path()));
   return orientation_of_ellipse(ellipse) == orientation ? ellipse.restricted(Exact_rational(0), end) : ellipse.restricted(end, Exact_rational(4)).reversed();
 }
 

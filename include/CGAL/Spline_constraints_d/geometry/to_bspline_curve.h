@@ -142,7 +142,7 @@ Bspline_curve_2<Kernel> to_bspline_curve(const CGAL::Circle_2<Kernel>& circle)
   const auto center = internal::exact_object(circle.center());
   const auto radius = internal::vector_of_squared_length_2(circle.squared_radius(), "to_bspline_curve: the circle");
   const auto side = radius.perpendicular(internal::orientation_of(circle));
-  return Bspline_curve_2<Kernel>(internal::ellipse<2>(center, radius, side));
+  return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(center, radius, side));
 }
 
 /*!

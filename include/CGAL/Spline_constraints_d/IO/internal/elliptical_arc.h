@@ -77,7 +77,7 @@ inline Bezier_path::Curve arc_around(const Ellipse_metric& metric, const Bezier_
   const Vector s = source - center, t = target - center;
   const Vector side = is_positive ? metric.turned(s) : Vector(-metric.turned(s));
   const Exact_rational square = metric.product(s, s);
-  const Exact_rational end = turn_parameter(Exact_rational(metric.product(s, t) / square), Exact_rational(metric.product(side, t) / square));
+  const Exact_rational end = turn_parameter(Exact_rational(1 + metric.product(s, t) / square), Exact_rational(metric.product(side, t) / square));
   return ellipse<2>(center, s, side).restricted(Exact_rational(0), end);
 }
 
