@@ -106,7 +106,7 @@ private:
 
   Curvature_bounds at(const Front_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
 
-  // Neighbouring candidates form one cluster.
+  // Neighbouring candidates form one cluster, as do all of a segment.
   void collect(const std::vector<Disk_candidate>& candidates)
   {
     for (const Disk_candidate& candidate : candidates)
@@ -117,13 +117,16 @@ private:
     std::sort(m_clusters.begin(), m_clusters.end(), [](const Cluster& a, const Cluster& b) { return std::pair(a.arc, a.range.begin) < std::pair(b.arc, b.range.begin); });
     std::vector<Cluster> merged;
     for (const Cluster& cluster : m_clusters)
-      if (!merged.empty() && merged.back().arc == cluster.arc && cluster.range.begin <= merged.back().range.end) {
+      if (!merged.empty() && merged.back().arc == cluster.arc && (cluster.range.begin <= merged.back().range.end || (are_connected(cluster.arc) && m_graph.arcs()[cluster.arc].is_straight()))) {
         merged.back().range.end = cluster.range.end;
         merged.back().bounds = hull(merged.back().bounds, cluster.bounds);
       } else
         merged.push_back(cluster);
     m_clusters = std::move(merged);
   }
+
+  // Disks that touch the front in one point are nested, and a line or circle meets the boundary of each in two points at most: whether those of its points through which there are disks of at least some positive curvature are connected.
+  bool are_connected(std::size_t arc) const { return m_least > 0 && m_graph.arcs()[arc].is_on_line_or_circle() && !m_curvature.is_arc_scaled(arc); }
 
   // Also finds out about maxima in the ends.
   bool has_one_maximum(Cluster& cluster) const
@@ -158,16 +161,14 @@ private:
     return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster);
   }
 
-  /*
-  Disks that touch the front in one point are nested, and a line or circle meets the boundary of each in two points at most: those of its points through which there are disks of at least some positive curvature are connected, and the curvature has one maximum there.
-  */
+  // The points that are connected have one maximum of the curvature.
   bool has_one_maximum_on_line_or_circle(Cluster& cluster) const
   {
-    const Site_arc_2& arc = m_graph.arcs()[cluster.arc];
     const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
-    if (!(m_least > 0) || !arc.is_on_line_or_circle() || m_curvature.is_arc_scaled(cluster.arc) || !is_only)
+    if (!are_connected(cluster.arc) || !is_only)
       return false;
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
+    int ends_among_them = 0;
     for (const bool end : {false, true})
       if (cluster.touches(end)) {
         const Curvature_bounds k = at(m_part, Arc_end{cluster.arc, end});
@@ -177,8 +178,9 @@ private:
           return false;
         const int sign = certain_sign(k.dv) * (end ? 1 : -1);
         ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
+        ++ends_among_them;
       }
-    if (ends[0] != End_state::NOT_A_MAXIMUM && ends[1] != End_state::NOT_A_MAXIMUM)   // of nearly a whole circle
+    if (ends_among_them == 2 && !m_graph.arcs()[cluster.arc].is_straight())   // they may be connected by the rest of the circle
       return false;
     cluster.ends = ends;
     return true;
@@ -339,7 +341,8 @@ private:
     const auto speed = [&](const Arc_end& end) { return std::sqrt(squared_norm(m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]).sup()); };
     const double reach = most_reach * m_part.range.width() * speed(own) / speed(other);
     const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc && (other.is_end ? 1 - cluster.range.end : cluster.range.begin) <= reach; };
-    auto all = united_at(other, is_part);
+    const Cluster* first = cluster_at(other);
+    auto all = first != nullptr && is_part(*first) ? united_at(other, is_part) : std::nullopt;
     const auto maximum = all ? Corner_disks(m_graph, m_curvature, m_part, own, other, all->range).only_maximum() : std::nullopt;
     if (!maximum)
       return 0;
@@ -352,21 +355,18 @@ private:
     return all->corner.least;
   }
 
-  // The cluster of an end of an arc and others; nothing if it reaches the other end, and the curvature may rise up to there.
+  // Clusters of an arc with an end in the vertex as one; nothing if there are none, or they reach the other end, and the curvature may rise up to there.
   template <class Is_part>
   std::optional<Cluster> united_at(const Arc_end& end, const Is_part& is_part) const
   {
-    const Cluster* first = cluster_at(end);
-    if (first == nullptr || !is_part(*first))
-      return std::nullopt;
-    Cluster result = *first;
+    std::optional<Cluster> all;
     for (const Cluster& cluster : m_clusters)
       if (is_part(cluster))
-        result = {end.arc, united(result.range, cluster.range), hull(result.bounds, cluster.bounds)};
+        all = all ? Cluster{end.arc, united(all->range, cluster.range), hull(all->bounds, cluster.bounds)} : cluster;
     const double far = 1 - end.parameter();
-    if (result.touches(!end.is_end) && certain_sign(at(m_part, end.arc, {far, far}).dv) != (end.is_end ? 1 : -1))
+    if (all && all->touches(!end.is_end) && certain_sign(at(m_part, end.arc, {far, far}).dv) != (end.is_end ? 1 : -1))
       return std::nullopt;
-    return result;
+    return all;
   }
 
   template <class Is_part>

@@ -8,10 +8,12 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_interval.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +30,8 @@ class Fine_level
   mutable std::optional<Basic_scaled_sites<Fine_interval>> m_fine_scaled;
 
 public:
-  static constexpr int most_nodes = 50;                  // of a sweep along a front that do not help
-  static constexpr std::size_t most_candidates = 100;   // of parts of a front that are tried
+  static constexpr int most_nodes = 50, most_nodes_of_many = 16;   // of sweeps along a front, and of one of them with many candidates
+  static constexpr std::size_t most_candidates = 100;              // that are not many
 
   explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 
@@ -58,12 +60,19 @@ public:
     return Basic_disk_curvature<Fine_interval>(fine_graph, m_fine_scaled ? &*m_fine_scaled : nullptr);
   }
 
-  // Candidates with enclosures of this level.
-  std::vector<Basic_disk_candidate<Fine_interval>> candidates(const std::vector<Disk_candidate>& candidates) const
+  // Candidates with enclosures of this level; neighbouring ones of an arc as one, as those are divided again that need be.
+  std::vector<Basic_disk_candidate<Fine_interval>> candidates(std::vector<Disk_candidate> candidates) const
   {
+    std::sort(candidates.begin(), candidates.end(), [](const Disk_candidate& a, const Disk_candidate& b) { return std::tuple(a.kind, a.index, a.range.begin) < std::tuple(b.kind, b.index, b.range.begin); });
     std::vector<Basic_disk_candidate<Fine_interval>> result;
     for (const Disk_candidate& candidate : candidates)
-      result.push_back({candidate.kind, candidate.index, candidate.range, candidate.kind == Candidate_kind::ARC ? graph().arcs()[candidate.index].jet(candidate.range) : Basic_curve_jet<Fine_interval>()});
+      if (candidate.kind == Candidate_kind::ARC && !result.empty() && result.back().kind == Candidate_kind::ARC && result.back().index == candidate.index && result.back().range.end == candidate.range.begin)
+        result.back().range.end = candidate.range.end;
+      else
+        result.push_back({candidate.kind, candidate.index, candidate.range});
+    for (Basic_disk_candidate<Fine_interval>& candidate : result)
+      if (candidate.kind == Candidate_kind::ARC)
+        candidate.jet = graph().arcs()[candidate.index].jet(candidate.range);
     return result;
   }
 };

@@ -179,11 +179,13 @@ private:
   bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
   {
     if constexpr (is_in_doubles) {
-      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || candidates.size() > Fine_level::most_candidates)
+      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes)
         return false;
+      const bool are_many = candidates.size() > Fine_level::most_candidates;
+      const int nodes = !is_last ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
-      const auto stretches = disks.resolved(front, range, m_fine_level->candidates(candidates), *m_slopes, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
-      m_fine_nodes += disks.m_nodes;
+      const auto stretches = disks.resolved(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes);
+      m_fine_nodes += disks.m_nodes + are_many;
       if (stretches)
         append(*stretches);
       return stretches.has_value();

@@ -471,8 +471,11 @@ private:
     }
   }
 
-  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
+  // Normals of a small fan have about one length: so that the disks of one size in it have one curvature.
+  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& last)
   {
+    const Exact_rational scale = is_small_turn(from, last) ? Exact_rational(CGAL::to_double(Exact_rational(exact_dot(from, from) / exact_dot(from, last)))) : Exact_rational(1);
+    const Exact_pair to{Exact_rational(scale * last[0]), Exact_rational(scale * last[1])};
     Front fan{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
