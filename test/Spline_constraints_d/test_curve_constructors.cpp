@@ -93,6 +93,56 @@ TEST(Circle_curve, lies_on_its_circle)
   EXPECT_EQ(CGAL::squared_distance(SC::circle_curve(CGAL::Epeck::Point_2(1, 2), 3)(0.3), CGAL::Epeck::Point_2(1, 2)), 9);
 }
 
+// Whether points of a curve of doubles have exactly one distance from a center.
+bool is_exactly_circular(const SC::Bspline_curve_2<CGAL::Simple_cartesian<double>>& arc)
+{
+  const Curve_2 exact(arc);
+  const auto at = [&](int k) { return exact(exact.domain().first + FT(k) / 7 * (exact.domain().second - exact.domain().first)); };
+  const Point_2 center = CGAL::circumcenter(at(0), at(3), at(5));
+  bool result = true;
+  for (int k = 0; k <= 7; ++k)
+    result = result && CGAL::squared_distance(at(k), center) == CGAL::squared_distance(at(0), center);
+  return result;
+}
+
+TEST(Circle_curve, is_a_circle_in_doubles)
+{
+  EXPECT_TRUE(is_exactly_circular(SC::circle_curve(Double_point_2(0.1, 0.2), 0.3)));
+  EXPECT_TRUE(is_exactly_circular(SC::circle_curve(Double_point_2(-1e-3, 1e3), 1.0 / 3)));
+  EXPECT_TRUE(is_exactly_circular(SC::circle_curve(Double_point_2(0.1, 0.2), Double_point_2(0.4, 0.7))));
+  const auto circle = SC::circle_curve(Double_point_2(0.1, 0.2), 0.3);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(circle(double(k)), Double_point_2(0.1, 0.2))), 0.09, 1e-16);
+}
+
+// From one point to the opposite one, where the sum of the directions is rounding only.
+TEST(Circular_arc_curve, half_circles_in_doubles)
+{
+  using Double_points = std::array<Double_point_2, 3>;
+  for (const auto& [center, source, target] : {Double_points{Double_point_2(0.9, 0.3), Double_point_2(0.9, 0.1), Double_point_2(0.9, 0.5)}, Double_points{Double_point_2(0, 0.3), Double_point_2(0, 0.1), Double_point_2(0, 0.5)},
+                                               Double_points{Double_point_2(0.3, 0), Double_point_2(0.1, 0), Double_point_2(0.5, 0)}, Double_points{Double_point_2(0.1, 0.3), Double_point_2(0.1, 0.5), Double_point_2(0.1, 0.1)}})
+    for (const auto orientation : {CGAL::COUNTERCLOCKWISE, CGAL::CLOCKWISE}) {
+      const auto arc = SC::circular_arc_curve(center, source, target, orientation);
+      EXPECT_EQ(arc.domain(), std::pair(0.0, 2.0));
+      EXPECT_TRUE(is_exactly_circular(arc));
+      EXPECT_LT(CGAL::squared_distance(arc.source(), source), 1e-30);
+      EXPECT_LT(CGAL::squared_distance(arc.target(), target), 1e-30);
+      EXPECT_EQ(arc.curvature(1.0) > 0, orientation == CGAL::COUNTERCLOCKWISE);
+    }
+  // In any direction the target is where it should be, and the angle is nearly a half turn.
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 0.1 * k;
+    const Double_point_2 center(0.1, 0.7), source(0.1 + 0.3 * std::cos(angle), 0.7 + 0.3 * std::sin(angle)), target(0.1 - 0.3 * std::cos(angle), 0.7 - 0.3 * std::sin(angle));
+    const auto arc = SC::circular_arc_curve(center, source, target);
+    EXPECT_NEAR(arc.domain().second, 2, 1e-14);
+    EXPECT_LT(CGAL::squared_distance(arc.target(), target), 1e-30);
+  }
+  const auto quarter = SC::circular_arc_curve(Double_point_2(0.1, 0.2), Double_point_2(0.4, 0.2), Double_point_2(0.1, 0.5));
+  EXPECT_EQ(quarter.domain().second, 1);
+  EXPECT_TRUE(is_exactly_circular(quarter));
+  expect_invalid([] { SC::circular_arc_curve(Double_point_2(0, 0), Double_point_2(1, 0), Double_point_2(2, 0)); }, "same direction");
+}
+
 TEST(Circular_arc_curve, runs_from_source_to_target)
 {
   Random_geometry random(3);

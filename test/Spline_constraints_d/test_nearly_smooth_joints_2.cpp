@@ -100,6 +100,19 @@ TEST(NearlySmoothJoints, SmallPiecesFarFromTheOrigin)
   expect_euler(diagram);
 }
 
+// A segment and a cubic with a small kink: where the cubic turns parallel to the segment, the contact of the largest disks runs along all of that while they hardly move; and those of the kink nearly osculate the cubic.
+TEST(NearlySmoothJoints, KinkBesideASegment)
+{
+  for (const double kink : {0x1p-14, 0x1p-16}) {
+    const Curves curves{bezier({P(-4, 0), P(0, 0)}), bezier({P(0, 0), P(1, kink), P(2, -1), P(2, -2)})};
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    EXPECT_TRUE(diagram.is_complete()) << kink;
+    EXPECT_EQ(diagram.edges().size(), 7U);
+    expect_euler(diagram);
+    expect_empty_disks(diagram, curves);
+  }
+}
+
 double area(const Curves& curves, double radius)
 {
   const SC::Trimmed_offset_2<K> offset = SC::trimmed_offset(curves, radius);

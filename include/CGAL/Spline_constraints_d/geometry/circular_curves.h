@@ -53,6 +53,17 @@ Vector rounded_to_multiples(const Vector& v, const Exact_rational& unit)
     return Vector(rounded(0), rounded(1), rounded(2));
 }
 
+// A parameter as the kernel has it: no piece of a curve is between two that are one for the kernel.
+template <class Kernel>
+Exact_rational rounded_for(const Exact_rational& x)
+{
+  using FT = typename Kernel::FT;
+  if constexpr (std::is_floating_point_v<FT>)
+    return Exact_rational(static_cast<double>(static_cast<FT>(to_nearest_double(x))));
+  else
+    return x;
+}
+
 /*
 The ellipse for a kernel. If its numbers are rounded, and so would be control points, the center and the half axes are rounded instead, to multiples of one unit of which all control points are multiples as well, by less than that:
 the curve is an ellipse still, and a circle if it is to be one.
@@ -69,7 +80,7 @@ Bspline_curve<Exact_kernel, d> rounded_ellipse(const Point& center, const Vector
       for (const int m : {-1, 0, 1})
         for (const int n : {-1, 0, 1}) {
           const Exact_rational x(center[i] + m * a[i] + n * b[i]);
-          is_exact = is_exact && x == Exact_rational(static_cast<double>(static_cast<FT>(to_nearest_double(x))));
+          is_exact = is_exact && x == rounded_for<Kernel>(x);
         }
     }
     const double unit = std::ldexp(1.0, std::ilogb(to_nearest_double(greatest)) + 2 - std::numeric_limits<FT>::digits);
@@ -204,7 +215,7 @@ Bspline_curve_2<Kernel> circular_arc_curve(const CGAL::Point_2<Kernel>& center, 
     throw Invalid_input("circular_arc_curve: source and target have different distances from the center");
   const auto side = s.perpendicular(orientation);
   const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine = internal::divided_by_lengths(side * t, ss, tt);
-  const Exact_rational end = internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(sine * sine)), sine);
+  const Exact_rational end = internal::rounded_for<Kernel>(internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(sine * sine)), sine));
   if (end == 0)
     throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
   return Bspline_curve_2<Kernel>(internal::rounded_ellipse<Kernel, 2>(c, s, side).restricted(Exact_rational(0), end));
@@ -244,7 +255,7 @@ Bspline_curve_3<Kernel> circular_arc_curve(const CGAL::Point_3<Kernel>& center, 
   if (!std::is_floating_point_v<typename Kernel::FT> && (ss != tt || (q - p) * n != 0))
     throw Invalid_input("circular_arc_curve: the target is not on the circle");
   const Exact_rational cosine = internal::divided_by_lengths(s * t, ss, tt), sine_over_length = internal::divided_by_lengths(n * CGAL::cross_product(s, t) / squared_axis, ss, tt);
-  const Exact_rational end = internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(squared_axis * sine_over_length * sine_over_length)), Exact_rational(sine_over_length / height));
+  const Exact_rational end = internal::rounded_for<Kernel>(internal::turn_parameter(internal::one_plus_cosine(cosine, Exact_rational(squared_axis * sine_over_length * sine_over_length)), Exact_rational(sine_over_length / height)));
   if (end == 0)
     throw Invalid_input("circular_arc_curve: source and target are in the same direction from the center");
   return Bspline_curve_3<Kernel>(circle.restricted(Exact_rational(0), end));
