@@ -106,6 +106,8 @@ private:
       const Interval square = jet.squared_length();
       return jet.turn() / (square * CGAL::sqrt(square));
     };
+    if (b.turn == Turn::STRAIGHT && side_of_inflection(unknown, a, b.exact_directions[0]) != 0)
+      return;   // the arc crosses the side, which has its direction in one point
     const Tangent_jet p = tangent_jet(m_regions[unknown]->arcs()[a.arc], a.range);
     for (std::vector<Range> todo{b.range}; !todo.empty();) {
       const Range part = todo.back();
@@ -235,7 +237,11 @@ private:
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
     const Interval_pair direction = tangent_jet(m_regions[1 - turning]->arcs()[b.arc], b.range, false).tangent;
-    const int first = certain_sign(cross(a.directions[0], direction)), last = certain_sign(cross(direction, a.directions[1]));
+    int first = certain_sign(cross(a.directions[0], direction)), last = certain_sign(cross(direction, a.directions[1]));
+    if (first == 0)
+      first = side_of_inflection(1 - turning, b, a.exact_directions[0]);
+    if (last == 0)
+      last = -side_of_inflection(1 - turning, b, a.exact_directions[1]);
     if (first < 0 || last < 0)
       return;
     std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
@@ -248,6 +254,25 @@ private:
       m_pieces.push_back(piece);
     else
       add_doubtful(piece(b.range).point);
+  }
+
+  /*
+  On which side of a direction those of a small part with an inflection are, if it is exactly that of the inflection, in a rational parameter: 1 on the left, -1 on the right. There an arc turns back, so that its directions are on one side; no others need to be told apart in this point.
+  */
+  int side_of_inflection(std::size_t region, const Region_element& element, const Exact_pair& direction) const
+  {
+    const std::optional<Exact_rational> t = Convolution_piece_2::simple_number(element.range);
+    if (!t)
+      return 0;
+    const Site_arc_2& arc = m_regions[region]->arcs()[element.arc];
+    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
+    const Exact_tensor side = d[1] * direction[0] - d[0] * direction[1], change = side.derivative(0);
+    const std::array<Exact_rational, 1> at{*t};
+    if (sign_of(side(at)) != 0 || sign_of(change(at)) != 0)
+      return 0;
+    const std::vector<Exact_rational> c = change.derivative(0).restricted(0, to_rational(element.range.begin), to_rational(element.range.end)).coefficients();
+    const int sign = sign_of(c.front());
+    return std::all_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == sign; }) ? sign : 0;
   }
 
   // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further. At a simple zero, a cusp, the regions cross in third order, so that it is inside, too; so a part may end there, somewhere in a range.
