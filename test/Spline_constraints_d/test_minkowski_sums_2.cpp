@@ -481,6 +481,18 @@ TEST(minkowski_sums_2, curvatures_next_to_cusps)
     expect_sum_of_valley_and_ellipse<Exact_kernel>(SC::Exact_rational(h));
 }
 
+// A bay below the parabola y = x^2 / 2, |x| <= 2, and a dome with the same arc, reflected, which fits into it exactly: both curvatures add up to zero along the arc, the sums of which are one point, (0, 0). There the boundary y = 2 |x| - x^2 / 2 of the sum, |x| <= 4, has a corner. Below it ends at y = -5.
+TEST(minkowski_sums_2, arcs_that_fit_into_each_other)
+{
+  const Region bay(Curves{SC::bezier_curve<K>({{2, 2}, {0, -2}, {-2, 2}}), SC::polyline_curve<K>({{-2, 2}, {-2, -3}, {2, -3}, {2, 2}})}), dome(Curves{SC::bezier_curve<K>({{2, -2}, {0, 2}, {-2, -2}}), SC::segment_curve<K>(Point(-2, -2), Point(2, -2))});
+  for (const Sum& sum : {SC::minkowski_sum(bay, dome), SC::minkowski_sum(dome, bay)}) {
+    expect_complete(sum, 1, 0);
+    EXPECT_NEAR(area(sum), 40 + 32 / 3.0, 1e-3);
+    EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(Point(0.125, 0.125))));
+    EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(0, 0.125))));
+  }
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

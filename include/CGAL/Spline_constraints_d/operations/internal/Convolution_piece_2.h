@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -71,11 +72,15 @@ public:
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
 
-  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents.
+  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents, or of an arc and its reflection, as from both halves of an arc that is symmetric about its inflection. The turning element has each direction once.
   bool is_point() const
   {
+    if (has_corner() || moving_element().turn != Turn::RIGHT)
+      return false;
     const auto &a = turning_arc().circle(), &b = moving_arc().circle();
-    return !has_corner() && element(1 - m_turning).turn == Turn::RIGHT && a && b && a->second == b->second;
+    const double reflected = 1 - inner_range().middle();
+    const Range& all = turning_element().range;
+    return (a && b && a->second == b->second) || (all.begin < reflected && reflected < all.end && are_reflected(turning_arc(), moving_arc()));
   }
 
   bool is_circular() const { return moving_arc().circle() && (has_corner() || turning_arc().circle()); }
@@ -190,15 +195,20 @@ public:
     Range middle() const { return {around.middle(), around.middle()}; }
   };
 
-  // Where the turning arc has the direction b of the moving one at a number: at u + s, if u is near there and D is its tangent, with b x (D(u) + s D') = 0 for a derivative D' from between.
+  // Where the turning arc has the direction b of the moving one at a number: at u + s, if u is near there and D is its tangent, with b x (D(u) + s D') = 0 for a derivative D' from between. Where that arc is nearly straight, doubles do not tell what is near, but the level above does.
   template <Enclosing_number Number>
   Turning_place<Number> turning_place(double t) const
   {
+    constexpr double enough = 0x1p-40;
     const auto &a = arc_on_level<Number>(m_turning), &b = arc_on_level<Number>(1 - m_turning);
+    const bool is_at_inflection = m_ends[0].inflection || m_ends[1].inflection;
+    const std::array<Number, 2> direction = b.direction_over({t, t});
     Turning_place<Number> result{turning_range({t, t}), {}};
+    if (std::same_as<Number, Fine_interval> && !is_at_inflection && result.around.width() > enough)
+      result.around = turning_parameter(direction, result.around);
     result.step = interval_of<Number>(result.around) - Number(result.around.middle());
-    if (!m_ends[0].inflection && !m_ends[1].inflection) {
-      const std::array<Number, 2> normal = turned_left(b.direction_over({t, t}));
+    if (!is_at_inflection) {
+      const std::array<Number, 2> normal = turned_left(direction);
       const Number slope = dot(normal, a.tangent_jet(result.around)[1]);
       if (certain_sign(slope) != 0)
         result.step = common_part(result.step, -dot(normal, a.direction_over(result.middle())) / slope);
@@ -350,16 +360,13 @@ private:
     return element(region).is_corner ? std::optional(m_regions[region]->place_of_joint(m_elements[region])) : std::nullopt;
   }
 
-  // With the direction of the moving arc. Where the turning arc is nearly straight, doubles do not tell where it has one direction. An end at an inflection is that of no element of the turning arc alone.
+  // With the direction of the moving arc. An end at an inflection is that of no element of the turning arc alone.
   Range turning_range(const Range& range, const Interval_pair& direction) const
   {
-    constexpr double enough = 0x1p-40;
     if (m_is_double)
       return range;
     const Range& all = element(m_turning).range;
     Range result = turning_parameter(direction, all);
-    if (range.is_number() && result.width() > enough)
-      result = turning_parameter(arc_on_level<Fine_interval>(1 - m_turning).direction_over(range), result);
     for (const Convolution_end& end : m_ends)
       if (const bool is_behind = end.range.middle() > all.middle(); end.inflection && (is_behind ? result.end == all.end : result.begin == all.begin))
         result = united(result, end.range);

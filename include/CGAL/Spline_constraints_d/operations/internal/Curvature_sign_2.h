@@ -27,9 +27,11 @@ class Curvature_sign_2
   using Polynomial = Basic_polynomial_jet<Fine_interval>;
 
   static constexpr double most_width = 0x1p-4;
+  static constexpr int most_failures = 128;
 
   const Convolution_piece_2& m_piece;
   mutable std::optional<Polynomial> m_polynomial;   // made when the derivatives do not tell
+  mutable int m_failures = 0;                       // of the level above doubles: where the sum is zero all along, values do not tell
 
 public:
   // A zero of the sum in a range, where it changes its sign.
@@ -75,11 +77,15 @@ private:
 
   int sign_by_mean_value(const Range& range) const
   {
+    if (m_failures > most_failures)
+      return 0;
     const Interval change = m_piece.change_of_curvatures(range) * (range.interval() - Interval(range.middle())), middle = m_piece.sum_of_curvatures<Interval>(range.middle());
     const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
     if (const int sign = certain_sign(middle + change); sign != 0 || !(width(change) < width(middle)))
       return sign;
-    return certain_sign(in_doubles(m_piece.sum_of_curvatures<Fine_interval>(range.middle())) + change);
+    const int sign = certain_sign(in_doubles(m_piece.sum_of_curvatures<Fine_interval>(range.middle())) + change);
+    m_failures += sign == 0;
+    return sign;
   }
 
   int sign_at(double t) const

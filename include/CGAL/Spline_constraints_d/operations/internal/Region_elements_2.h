@@ -52,6 +52,22 @@ inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc
   return result;
 }
 
+// Whether an arc is another one with the opposite direction, reflected in a point: a(t) + b(1 - t) is one point.
+inline bool are_reflected(const Site_arc_2& a, const Site_arc_2& b)
+{
+  const Exact_pair p = a.at(0), q = b.at(1), sum{Exact_rational(p[0] + q[0]), Exact_rational(p[1] + q[1])};
+  const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
+  if (f[0].degrees() != g[0].degrees() || f[2].degrees() != g[2].degrees() || f[0].degrees() != f[2].degrees())
+    return false;
+  const auto &w = f[2].coefficients(), &v = g[2].coefficients();
+  const std::size_t n = w.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c)
+      if (w[k] != v[n - 1 - k] || f[c].coefficients()[k] + g[c].coefficients()[n - 1 - k] != sum[c] * w[k])
+        return false;
+  return true;
+}
+
 // The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
 template <Enclosing_number Number>
 struct Basic_tangent_jet
