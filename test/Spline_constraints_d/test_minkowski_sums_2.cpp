@@ -447,6 +447,52 @@ TEST(minkowski_sums_2, contacts_on_segments)
   EXPECT_NEAR(area(sum), 3 * (length + 4) + 2.25 + 3, 1e-4);
 }
 
+// An ellipse in the bottom of the parabola y = x^2 / 2, which has the curvature 1; that of the ellipse is 1 + h there. If h > 0, it rolls through the bottom, and the sum is nearly as curved as a cusp in (0, b), where b is the half-axis of the ellipse. Otherwise the convolution has two cusps next to each other, and crosses above them, where the ellipse touches both sides of the parabola: in (0, 2 b^2 + 1/8).
+template <class Kernel, class Number>
+void expect_sum_of_valley_and_ellipse(const Number& h)
+{
+  using Exact_point = typename Kernel::Point_2;
+  const auto number = [](int numerator, int denominator = 1) { return Number(numerator) / Number(denominator); };
+  const SC::Bspline_curve_2<Kernel> arc = SC::bezier_curve<Kernel>({Exact_point(2, 2), Exact_point(0, -2), Exact_point(-2, 2)}), frame = SC::polyline_curve<Kernel>({Exact_point(-2, 2), Exact_point(-2, -3), Exact_point(2, -3), Exact_point(2, 2)});
+  const Number b = (number(1) + h) / number(4);
+  const auto ellipse = SC::ellipse_curve(Exact_point(0, 0), typename Kernel::Vector_2(number(1, 2), 0), typename Kernel::Vector_2(0, b));
+  const auto sum = SC::minkowski_sum(SC::planar_region(std::vector{arc, frame}), SC::planar_region(ellipse));
+  EXPECT_TRUE(sum.is_complete());
+  ASSERT_EQ(sum.boundaries().size(), 1U);
+  const double expected = SC::to_nearest_double(h > 0 ? SC::Exact_rational(b) : SC::Exact_rational(2 * b * b + number(1, 8)));
+  double nearest = 1, height = 0;   // of the points around x = 0
+  for (std::size_t i = 0; i < sum.boundaries()[0].arcs.size(); ++i)
+    for (const auto& sample : sum.polyline(0, i, 1e-5))
+      if (const double x = CGAL::to_double(sample.point.x()), y = CGAL::to_double(sample.point.y()); y > 0 && std::abs(x) < nearest) {
+        nearest = std::abs(x);
+        height = y;
+      }
+  EXPECT_LT(nearest, 1e-5);
+  EXPECT_NEAR(height, expected, nearest + 1e-13);
+}
+
+TEST(minkowski_sums_2, curvatures_next_to_cusps)
+{
+  using Exact_kernel = CGAL::Simple_cartesian<SC::Exact_rational>;
+  for (const double h : {1e-4, 1e-8, 1e-12})
+    for (const double sign : {1.0, -1.0})
+      expect_sum_of_valley_and_ellipse<K>(sign * h);
+  for (const double h : {0x1p-60, -0x1p-30})   // 1 + h is no double, or the square is below the precision of one
+    expect_sum_of_valley_and_ellipse<Exact_kernel>(SC::Exact_rational(h));
+}
+
+// A bay below the parabola y = x^2 / 2, |x| <= 2, and a dome with the same arc, reflected, which fits into it exactly: both curvatures add up to zero along the arc, the sums of which are one point, (0, 0). There the boundary y = 2 |x| - x^2 / 2 of the sum, |x| <= 4, has a corner. Below it ends at y = -5.
+TEST(minkowski_sums_2, arcs_that_fit_into_each_other)
+{
+  const Region bay(Curves{SC::bezier_curve<K>({{2, 2}, {0, -2}, {-2, 2}}), SC::polyline_curve<K>({{-2, 2}, {-2, -3}, {2, -3}, {2, 2}})}), dome(Curves{SC::bezier_curve<K>({{2, -2}, {0, 2}, {-2, -2}}), SC::segment_curve<K>(Point(-2, -2), Point(2, -2))});
+  for (const Sum& sum : {SC::minkowski_sum(bay, dome), SC::minkowski_sum(dome, bay)}) {
+    expect_complete(sum, 1, 0);
+    EXPECT_NEAR(area(sum), 40 + 32 / 3.0, 1e-3);
+    EXPECT_TRUE(CGAL::certainly(sum.has_in_interior(Point(0.125, 0.125))));
+    EXPECT_TRUE(CGAL::certainly_not(sum.has_in_interior(Point(0, 0.125))));
+  }
+}
+
 TEST(minkowski_sums_2, bad_input)
 {
   const Region square = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});

@@ -207,6 +207,34 @@ TEST(SweptAreas, OfASideAlongAnInflection)
   EXPECT_GT(covered, 50);
 }
 
+// Sides of the parallelogram are vertical, as is the path in its inflection: a corner of it begins there with exactly this direction, and one ends with it. The path has x' >= 0, so that all vertical sections are connected.
+TEST(SweptAreas, OfAParallelogramAlongAnInflection)
+{
+  constexpr int sections = 200, steps = 4000;
+  const Curve path = bezier({P(0, 0), P(1, 0), P(0, 1), P(1, 1)});
+  std::vector<P> places;
+  for (int k = 0; k <= steps; ++k)
+    places.push_back(path(static_cast<double>(k) / steps));
+  for (const double scale : {1.0, 0.125}) {
+    const SC::Planar_region_2<K> parallelogram = SC::planar_region(SC::polyline_curve(std::vector<P>{P(0, 0), P(scale, scale / 2), P(scale, 1.5 * scale), P(0, scale), P(0, 0)}));
+    double expected = 0;
+    for (int i = 0; i < sections; ++i) {
+      const double x = (i + 0.5) / sections * (1 + scale);
+      double lowest = 10, highest = -10;   // of the lower side of the parallelogram
+      for (const P& p : places)
+        if (p.x() <= x && x <= p.x() + scale) {
+          lowest = std::min(lowest, p.y() + (x - p.x()) / 2);
+          highest = std::max(highest, p.y() + (x - p.x()) / 2);
+        }
+      expected += (highest - lowest + scale) * (1 + scale) / sections;
+    }
+    const Sum sum = SC::swept_area(parallelogram, path);
+    EXPECT_TRUE(sum.is_complete());
+    EXPECT_EQ(sum.boundaries().size(), 1U);
+    EXPECT_NEAR(area(sum), expected, 2e-3);
+  }
+}
+
 TEST(SweptAreas, OfCurvesAlongCurves)
 {
   expect_area(SC::swept_area(segment(P(0, 0), P(3, 1)), segment(P(0, 0), P(1, 2))), 5, 1);

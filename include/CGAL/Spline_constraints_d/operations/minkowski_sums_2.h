@@ -19,7 +19,7 @@ Its boundary is a part of the convolution of both boundaries: the sums of points
 boundaries add up to less than zero are left out, and those of reflex corners, since there the regions overlap, \f$B\f$ reflected, next to their contact. What is left is cut at all crossings, and one point beside each of the parts, moved by very little from it, is proved to be inside of the sum, or not:
 it is if the boundaries of \f$A\f$ and of \f$B\f$, reflected in that point, cross, or one is inside of the other. Both regions may have holes and several parts.
 
-All is decided by interval arithmetic in double precision and, where this does not tell how pieces cross, with 128 bits; and exactly for directions at the ends of curves and for rational points in which pieces touch, end in others or coincide; nothing depends on a tolerance. As many arcs of the boundary end in each vertex as begin there, so that some parts tell about others. Where pieces with opposite directions coincide, the sum is on both sides.
+All is decided by interval arithmetic in double precision and, where this does not tell how pieces cross, where they end, or which sign the sum of both curvatures has, with 128 bits; and exactly for directions at the ends of curves and for rational points in which pieces touch, end in others or coincide; nothing depends on a tolerance. As many arcs of the boundary end in each vertex as begin there, so that some parts tell about others. Where pieces with opposite directions coincide, the sum is on both sides.
 Where that is not enough, `Minkowski_sum_2::is_complete()` is false: where parts of the boundary touch, or three cross, in a point that is not rational.
 What is not decided inside of the sum does not matter.
 

@@ -106,6 +106,8 @@ private:
       const Interval square = jet.squared_length();
       return jet.turn() / (square * CGAL::sqrt(square));
     };
+    if (b.turn == Turn::STRAIGHT && side_of_inflection(unknown, a, b.exact_directions[0]) != 0)
+      return;   // the arc crosses the side, which has its direction in one point
     const Tangent_jet p = tangent_jet(m_regions[unknown]->arcs()[a.arc], a.range);
     for (std::vector<Range> todo{b.range}; !todo.empty();) {
       const Range part = todo.back();
@@ -195,15 +197,25 @@ private:
     if (there.sign != inside || there.is_tie)
       return std::nullopt;
     result.direction = a.exact_directions[limit];
-    result.range = parameter_of_direction(m_regions[1 - turning]->arcs()[b.arc], b.range, a.directions[limit], e == 0 ? -here.sign : here.sign);
+    result.range = parameter_of_direction(1 - turning, b, a.exact_directions[limit], e == 0 ? -here.sign : here.sign);
     set_joint(turning, static_cast<int>(limit));
     return result;
   }
 
-  // Where an arc has a direction that it passes once in a range, and behind which its own directions are on the left (sign 1) or right (-1).
-  static Range parameter_of_direction(const Site_arc_2& arc, const Range& range, const Interval_pair& direction, int sign)
+  // Where an element has a direction that it passes once, and behind which its own directions are on the left (sign 1) or right (-1).
+  Range parameter_of_direction(std::size_t region, const Region_element& element, const Exact_pair& direction, int sign) const
   {
-    Range result = range;
+    constexpr double enough = 0x1p-40;
+    const Range result = parameter_of_direction<Interval>(region, element.arc, element.range, direction, sign);
+    return result.width() > enough ? parameter_of_direction<Fine_interval>(region, element.arc, result, direction, sign) : result;
+  }
+
+  // In a range, with the signs that a number type tells.
+  template <Enclosing_number Number>
+  Range parameter_of_direction(std::size_t region, std::size_t index, Range result, const Exact_pair& exact_direction, int sign) const
+  {
+    const auto& arc = m_regions[region]->template arc<Number>(index);
+    const std::array<Number, 2> direction{interval_of<Number>(exact_direction[0]), interval_of<Number>(exact_direction[1])};
     for (bool is_shorter = true; is_shorter;) {
       is_shorter = false;
       for (const double part : {0.5, 0.25, 0.75}) {
@@ -225,7 +237,11 @@ private:
   {
     const Region_element &a = element(turning, elements[turning]), &b = element(1 - turning, elements[1 - turning]);
     const Interval_pair direction = tangent_jet(m_regions[1 - turning]->arcs()[b.arc], b.range, false).tangent;
-    const int first = certain_sign(cross(a.directions[0], direction)), last = certain_sign(cross(direction, a.directions[1]));
+    int first = certain_sign(cross(a.directions[0], direction)), last = certain_sign(cross(direction, a.directions[1]));
+    if (first == 0)
+      first = side_of_inflection(1 - turning, b, a.exact_directions[0]);
+    if (last == 0)
+      last = -side_of_inflection(1 - turning, b, a.exact_directions[1]);
     if (first < 0 || last < 0)
       return;
     std::array<Convolution_end, 2> ends{Convolution_end{{b.range.begin, b.range.begin}, {}}, Convolution_end{{b.range.end, b.range.end}, {}}};
@@ -234,19 +250,38 @@ private:
       ends[e].joints[1 - turning] = m_regions[1 - turning]->joint(elements[1 - turning], static_cast<int>(e));
     }
     const Convolution_piece_2 piece(m_regions, elements, turning, ends);
-    if (first > 0 && last > 0 && (a.is_corner || piece.sign_of_speed(b.range) > 0))
+    if (first > 0 && last > 0 && (a.is_corner || piece.sign_of_speed(b.range) > 0 || piece.sign_of_speed<Fine_interval>(b.range) > 0))
       m_pieces.push_back(piece);
     else
       add_doubtful(piece(b.range).point);
   }
 
-  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further.
+  /*
+  On which side of a direction those of a small part with an inflection are, if it is exactly that of the inflection, in a rational parameter: 1 on the left, -1 on the right. There an arc turns back, so that its directions are on one side; no others need to be told apart in this point.
+  */
+  int side_of_inflection(std::size_t region, const Region_element& element, const Exact_pair& direction) const
+  {
+    const std::optional<Exact_rational> t = Convolution_piece_2::simple_number(element.range);
+    if (!t)
+      return 0;
+    const Site_arc_2& arc = m_regions[region]->arcs()[element.arc];
+    const std::array<Exact_tensor, 2> d = arc.has_singular_end() ? arc.tangent() : arc.derivative_numerators();
+    const Exact_tensor side = d[1] * direction[0] - d[0] * direction[1], change = side.derivative(0);
+    const std::array<Exact_rational, 1> at{*t};
+    if (sign_of(side(at)) != 0 || sign_of(change(at)) != 0)
+      return 0;
+    const std::vector<Exact_rational> c = change.derivative(0).restricted(0, to_rational(element.range.begin), to_rational(element.range.end)).coefficients();
+    const int sign = sign_of(c.front());
+    return std::all_of(c.begin(), c.end(), [&](const Exact_rational& x) { return sign_of(x) == sign; }) ? sign : 0;
+  }
+
+  // The parts of a piece along which the sum of both curvatures is positive, so that it runs in the direction of the moving arc. What is inside of the sum, as most zeros of it are, need not be cut further. At a simple zero, a cusp, the regions cross in third order, so that it is inside, too; so a part may end there, somewhere in a range.
   void add_convex_parts(const Convolution_piece_2& piece)
   {
-    constexpr double least_width = 0x1p-32, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
+    constexpr double least_width = 0x1p-44, first_ratio = 0x1p-8, ratio = 0x1p-4, enough = 0.95, most_parts = 0x1p17;
     const Curvature_sign_2 sign(piece);
     constexpr int most_idle_rounds = 2;   // where the sum of the curvatures is zero all along, or nearly so; it gets shorter only slowly near points with the same tangent as an inflection of both regions
-    std::vector<Range> convex, unknown{without_fold(piece, convex)};
+    std::vector<Range> convex, cusps, unknown{without_fold(piece, convex)};
     int idle_rounds = 0;
     for (double width = first_ratio * unknown.front().width(); idle_rounds < most_idle_rounds && !unknown.empty() && width >= least_width && total_width(unknown) <= most_parts * width; width *= ratio) {
       std::vector<Range> parts;
@@ -256,6 +291,7 @@ private:
         std::erase_if(parts, [&](const Range& part) { return CGAL::certainly(m_interior.contains(piece(part).point)); });
       else
         ++idle_rounds;
+      std::erase_if(parts, [&](const Range& part) { return separate_by_cusp(sign, part, piece.range(), convex, cusps); });
       unknown = std::move(parts);
     }
     for (const Range& part : unknown)
@@ -264,8 +300,28 @@ private:
     std::vector<Range> joined;
     for (const Range& part : convex)
       append(part, joined);
-    for (const Range& part : joined)
-      m_pieces.push_back(piece.restricted(part));
+    for (const Range& part : joined) {
+      Range begin{part.begin, part.begin}, end{part.end, part.end};
+      for (const Range& cusp : cusps)
+        if (cusp.end == part.begin)
+          begin = cusp;
+        else if (cusp.begin == part.end)
+          end = cusp;
+      m_pieces.push_back(piece.restricted(begin, end));
+    }
+  }
+
+  // Whether the sum of both curvatures has one zero in a part, not next to an end of the piece, and the signs around this are known.
+  static bool separate_by_cusp(const Curvature_sign_2& sign, const Range& part, const Range& all, std::vector<Range>& convex, std::vector<Range>& cusps)
+  {
+    const std::optional<Curvature_sign_2::Cusp> cusp = sign.only_cusp(part);
+    if (!cusp || cusp->range.begin <= all.begin || cusp->range.end >= all.end)
+      return false;
+    const Range rest = cusp->sign_before > 0 ? Range{part.begin, cusp->range.begin} : Range{cusp->range.end, part.end};
+    if (!rest.is_number())
+      convex.push_back(rest);
+    cusps.push_back(cusp->range);
+    return true;
   }
 
   // A piece without its part next to an inflection that both regions have in common, where the sign is known; this is a convex one, if that is positive.

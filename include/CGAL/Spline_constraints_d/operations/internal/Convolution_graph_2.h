@@ -184,12 +184,12 @@ private:
     return (have_corners || (!are_opposite && !p.has_corner() && !q.has_corner() && overlap(p.turning_element(), q.turning_element(), false))) && overlap(p.moving_element(), q.moving_element(), are_opposite) && have_same_operands(p, q, are_opposite);
   }
 
-  // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at the same parameter of the moving arc.
+  // Where ends are not rational, both are the points with the same exact direction, at the same inflection, or cut at the same parameter of the moving arc, which is a number or the only cusp in its range.
   static bool have_equal_ranges(const Convolution_piece_2& p, const Convolution_piece_2& q)
   {
     for (const int e : {0, 1}) {
       const Convolution_end &a = p.end(e), &b = q.end(e);
-      const bool has_direction = a.direction && b.direction && are_parallel(*a.direction, *b.direction), is_at_inflection = a.inflection && a.inflection == b.inflection, is_cut = !a.direction && !b.direction && a.inflection == b.inflection && a.range.is_number();
+      const bool has_direction = a.direction && b.direction && are_parallel(*a.direction, *b.direction), is_at_inflection = a.inflection && a.inflection == b.inflection, is_cut = !a.direction && !b.direction && a.inflection == b.inflection;
       if (a.range.begin != b.range.begin || a.range.end != b.range.end || !(has_direction || is_at_inflection || is_cut))
         return false;
     }

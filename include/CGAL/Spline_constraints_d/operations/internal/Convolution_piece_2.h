@@ -6,11 +6,13 @@
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Chord_cone_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Curvature_jet.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Region_elements_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Traced_curve_2.h>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -70,11 +72,15 @@ public:
   const Site_arc_2& moving_arc() const { return arc(1 - m_turning); }
   bool is_straight() const { return element(1 - m_turning).turn == Turn::STRAIGHT; }
 
-  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents.
+  // Whether it is proved to be one point: the sum of arcs of equal circles on opposite sides of their tangents, or of an arc and its reflection, as from both halves of an arc that is symmetric about its inflection. The turning element has each direction once.
   bool is_point() const
   {
+    if (has_corner() || moving_element().turn != Turn::RIGHT)
+      return false;
     const auto &a = turning_arc().circle(), &b = moving_arc().circle();
-    return !has_corner() && element(1 - m_turning).turn == Turn::RIGHT && a && b && a->second == b->second;
+    const double reflected = 1 - inner_range().middle();
+    const Range& all = turning_element().range;
+    return (a && b && a->second == b->second) || (all.begin < reflected && reflected < all.end && are_reflected(turning_arc(), moving_arc()));
   }
 
   bool is_circular() const { return moving_arc().circle() && (has_corner() || turning_arc().circle()); }
@@ -115,7 +121,7 @@ public:
     Exact_rational u(1);
     if (!has_corner()) {
       const Exact_pair direction = moving_arc().tangent_at(t);
-      const std::optional<Exact_rational> candidate = m_is_double ? t : simple_number(turning_parameter({interval_of(direction[0]), interval_of(direction[1])}));
+      const std::optional<Exact_rational> candidate = m_is_double ? t : simple_number(turning_parameter<Interval>({interval_of(direction[0]), interval_of(direction[1])}, turning_element().range));
       if (!candidate || !are_parallel(direction, turning_arc().tangent_at(*candidate)))
         return std::nullopt;
       u = *candidate;
@@ -128,12 +134,13 @@ public:
   std::optional<Exact_rational> parameter_of(const Exact_pair& point) const
   {
     const Interval_pair p{interval_of(point[0]), interval_of(point[1])};
-    std::optional<Range> place;
-    append_place(p, range(), place);
-    const Range inner = inner_range();
-    if (!place || !(inner.begin < place->end && place->begin < inner.end))
+    const std::optional<Range> first = outermost_place(p, range(), true), last = first ? outermost_place(p, range(), false) : first;
+    if (!last)
       return std::nullopt;
-    const std::optional<Exact_rational> t = moving_arc().is_segment() ? parameter_on_line(point, to_rational(place->middle())) : simple_number(*place);
+    const Range inner = inner_range(), place = united(*first, *last);
+    if (!(inner.begin < place.end && place.begin < inner.end))
+      return std::nullopt;
+    const std::optional<Exact_rational> t = moving_arc().is_segment() ? parameter_on_line(point, to_rational(place.middle())) : simple_number(place);
     if (!t || !(to_rational(inner.begin) < *t && *t < to_rational(inner.end)) || exact_point(*t) != point)
       return std::nullopt;
     return t;
@@ -148,14 +155,14 @@ public:
     return range.width() < most_width ? std::optional(simplest_rational_between(to_rational(range.begin), to_rational(range.end))) : std::nullopt;
   }
 
-  // A part, whose new ends are not at joints.
-  Convolution_piece_2 restricted(const Range& range) const
+  // A part between numbers, or cusps that are the only ones in these ranges: its new ends, which are not at joints.
+  Convolution_piece_2 restricted(const Range& begin, const Range& end) const
   {
     Convolution_piece_2 result(*this);
-    if (range.begin > m_ends[0].range.begin)
-      result.m_ends[0] = {{range.begin, range.begin}, {}};
-    if (range.end < m_ends[1].range.end)
-      result.m_ends[1] = {{range.end, range.end}, {}};
+    if (begin.begin > m_ends[0].range.begin)
+      result.m_ends[0] = {begin, {}};
+    if (end.end < m_ends[1].range.end)
+      result.m_ends[1] = {end, {}};
     return result;
   }
 
@@ -175,36 +182,91 @@ public:
     if (moving.turn == Turn::STRAIGHT)
       return {a.point + b.point, b.tangent, b.speed, turn};
     const Interval ratio = dot(a.tangent, b.tangent) / square, speed = m_is_double ? Interval(2) * b.speed : b.speed + a.speed * ratio * CGAL::square(ratio) * (b.turn() / a.turn());
-    return {a.point + b.point, b.tangent, speed, turn / speed};
+    return {a.point + b.point, b.tangent, certain_sign(speed) == 0 && has_sum_of_curvatures() ? speed_near_cusp(range, speed) : speed, turn / speed};
   }
 
-  /*
-  The point at a number, on the level above doubles. If u is near the parameter of the turning arc, this is u + s where the direction b of the piece and the tangent D of that arc have b x (D(u) + s D') = 0 with the derivative D' somewhere between, and the point there is a(u) + s a'(u) + s^2/2 a'' with a'' from between.
-  */
+  // A part of the turning arc, and how far its parameter there is from the middle.
+  template <Enclosing_number Number>
+  struct Turning_place
+  {
+    Range around;
+    Number step;
+
+    Range middle() const { return {around.middle(), around.middle()}; }
+  };
+
+  // Where the turning arc has the direction b of the moving one at a number: at u + s, if u is near there and D is its tangent, with b x (D(u) + s D') = 0 for a derivative D' from between. Where that arc is nearly straight, doubles do not tell what is near, but the level above does.
+  template <Enclosing_number Number>
+  Turning_place<Number> turning_place(double t) const
+  {
+    constexpr double enough = 0x1p-40;
+    const auto &a = arc_on_level<Number>(m_turning), &b = arc_on_level<Number>(1 - m_turning);
+    const bool is_at_inflection = m_ends[0].inflection || m_ends[1].inflection;
+    const std::array<Number, 2> direction = b.direction_over({t, t});
+    Turning_place<Number> result{turning_range({t, t}), {}};
+    if (std::same_as<Number, Fine_interval> && !is_at_inflection && result.around.width() > enough)
+      result.around = turning_parameter(direction, result.around);
+    result.step = interval_of<Number>(result.around) - Number(result.around.middle());
+    if (!is_at_inflection) {
+      const std::array<Number, 2> normal = turned_left(direction);
+      const Number slope = dot(normal, a.tangent_jet(result.around)[1]);
+      if (certain_sign(slope) != 0)
+        result.step = common_part(result.step, -dot(normal, a.direction_over(result.middle())) / slope);
+    }
+    return result;
+  }
+
+  // The point at a number, on the level above doubles: from that place, this is a(u) + s a'(u) + s^2/2 a'' with a'' from between.
   Fine_pair fine_point(double t) const
   {
-    const auto &a = m_regions[m_turning]->fine_arc(element(m_turning).arc), &b = m_regions[1 - m_turning]->fine_arc(element(1 - m_turning).arc);
+    const auto &a = arc_on_level<Fine_interval>(m_turning), &b = arc_on_level<Fine_interval>(1 - m_turning);
     const Fine_pair point = b.point({t, t});
     if (has_corner())
       return a.point({1, 1}) + point;
-    const Range around = turning_range({t, t}), u{around.middle(), around.middle()};
-    Fine_interval step = interval_of<Fine_interval>(around) - Fine_interval(u.begin);
-    if (!m_ends[0].inflection && !m_ends[1].inflection) {
-      const Fine_pair normal = turned_left(b.direction_over({t, t}));
-      const Fine_interval slope = dot(normal, a.tangent_jet(around)[1]);
-      if (certain_sign(slope) != 0)
-        step = common_part(step, -dot(normal, a.direction_over(u)) / slope);
-    }
-    const auto near = a.jet(u, 1), between = a.jet(around, 2);
-    return point + near[0] + step * near[1] + CGAL::square(step) / Fine_interval(2) * between[2];
+    const auto place = turning_place<Fine_interval>(t);
+    const auto near = a.jet(place.middle(), 1), between = a.jet(place.around, 2);
+    return point + near[0] + place.step * near[1] + CGAL::square(place.step) / Fine_interval(2) * between[2];
   }
 
   // The sign of the speed, of a piece with two arcs. Nearly straight turning arcs, as next to inflections, leave it certain.
+  template <Enclosing_number Number = Interval>
   int sign_of_speed(const Range& range) const
   {
-    const Tangent_jet b = tangent_jet(moving_arc(), range), a = tangent_jet(turning_arc(), turning_range(range, b.tangent));
-    const Interval ratio = dot(a.tangent, b.tangent) / b.squared_length();
+    const auto b = tangent_jet(arc_on_level<Number>(1 - m_turning), range), a = tangent_jet(arc_on_level<Number>(m_turning), turning_range(range, in_doubles(b.tangent)));
+    const Number ratio = dot(a.tangent, b.tangent) / b.squared_length();
     return certain_sign(b.speed * a.turn() + a.speed * ratio * CGAL::square(ratio) * b.turn());
+  }
+
+  // The arc of a region on the level of a number type.
+  template <Enclosing_number Number>
+  const Basic_site_arc_2<Number>& arc_on_level(std::size_t region) const
+  {
+    return m_regions[region]->template arc<Number>(element(region).arc);
+  }
+
+  /*
+  The sum of both curvatures at a number, and its derivative over a range: with the angle p of the tangents, which is the same for both arcs, this is
+
+    k_b' + k_a' p_b' / p_a'.
+
+  So the sum is known over a range up to the square of its width. Any number where the derivative of an arc is zero in an end, or a number is not proved to be on the piece.
+  */
+  template <Enclosing_number Number>
+  Number sum_of_curvatures(double t) const
+  {
+    if (const Range inner = inner_range(); !has_sum_of_curvatures() || t < inner.begin || inner.end < t)
+      return any_number<Number>();
+    const auto& a = arc_on_level<Number>(m_turning);
+    const auto place = turning_place<Number>(t);
+    return curvature_jet(arc_on_level<Number>(1 - m_turning), {t, t}).curvature + curvature_jet(a, place.middle()).curvature + place.step * curvature_jet(a, place.around).change;
+  }
+
+  Interval change_of_curvatures(const Range& range) const
+  {
+    if (!has_sum_of_curvatures())
+      return any_number();
+    const auto b = curvature_jet(moving_arc(), range), a = curvature_jet(turning_arc(), turning_range(range));
+    return b.change + a.change * b.turn / a.turn;
   }
 
   // Tangential to the piece.
@@ -222,7 +284,7 @@ public:
   Range turning_range(const Range& range) const { return turning_range(range, direction(range)); }
 
   const Region_element& element(std::size_t region) const { return m_regions[region]->elements()[m_elements[region]]; }
-  const Site_arc_2& arc(std::size_t region) const { return m_regions[region]->arcs()[element(region).arc]; }
+  const Site_arc_2& arc(std::size_t region) const { return arc_on_level<Interval>(region); }
 
   // Whether the ends of two pieces are the same, so that one goes on as the other one: if both regions are at the same joint, or corner; or one is, and the other one has its direction, which an element that turns has once.
   static bool are_same(const Convolution_piece_2& p, int p_end, const Convolution_piece_2& q, int q_end)
@@ -250,17 +312,36 @@ private:
     return moving_arc().parameter_of_foot({Exact_rational(point[0] - (*p)[0] + q[0]), Exact_rational(point[1] - (*p)[1] + q[1])});
   }
 
-  // Enlarges a range by the parts of another one that a point may be on.
-  void append_place(const Interval_pair& point, const Range& part, std::optional<Range>& place) const
+  // Near a cusp, where points move little, they are known better from one of them and the derivative.
+  bool may_hold(const Interval_pair& point, const Range& part) const
+  {
+    const Traced_jet jet = (*this)(part);
+    const Range inner = inner_range(), middle{part.middle(), part.middle()};
+    if (!may_meet(point, jet.point) || !(inner.begin <= middle.begin && middle.end <= inner.end))
+      return may_meet(point, jet.point);
+    return may_meet(point, (*this)(middle).point + (jet.speed * (part.interval() - middle.interval())) * jet.direction);
+  }
+
+  // The first small part, or the last one, of a range that a point may be on.
+  std::optional<Range> outermost_place(const Interval_pair& point, const Range& part, bool is_first) const
   {
     constexpr double enough = 0x1p-40;
-    if (!may_meet(point, (*this)(part).point))
-      return;
-    if (part.width() > enough) {
-      append_place(point, {part.begin, part.middle()}, place);
-      append_place(point, {part.middle(), part.end}, place);
-    } else
-      place = place ? united(*place, part) : part;
+    if (!may_hold(point, part))
+      return std::nullopt;
+    if (!(part.width() > enough))
+      return part;
+    const Range before{part.begin, part.middle()}, behind{part.middle(), part.end};
+    const std::optional<Range> result = outermost_place(point, is_first ? before : behind, is_first);
+    return result ? result : outermost_place(point, is_first ? behind : before, is_first);
+  }
+
+  bool has_sum_of_curvatures() const { return !has_corner() && !turning_arc().has_singular_end() && !moving_arc().has_singular_end(); }
+
+  // The speed, which has bounds, is the sum of both curvatures divided by that of the turning arc.
+  Interval speed_near_cusp(const Range& range, const Interval& bounds) const
+  {
+    const Interval sum = sum_of_curvatures<Interval>(range.middle()) + change_of_curvatures(range) * (range.interval() - Interval(range.middle()));
+    return common_part(bounds, sum / curvature_jet(turning_arc(), turning_range(range)).curvature);
   }
 
   // Whether a region is in the same point in two ends, of an arc and of the same one in the opposite direction: where this has a direction that its elements, which overlap, have once together.
@@ -284,24 +365,25 @@ private:
   {
     if (m_is_double)
       return range;
-    Range result = turning_parameter(direction);
     const Range& all = element(m_turning).range;
+    Range result = turning_parameter(direction, all);
     for (const Convolution_end& end : m_ends)
       if (const bool is_behind = end.range.middle() > all.middle(); end.inflection && (is_behind ? result.end == all.end : result.begin == all.begin))
         result = united(result, end.range);
     return result;
   }
 
-  // Where the turning arc has a direction within these bounds: a zero of a function that increases. By Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
-  Range turning_parameter(const Interval_pair& direction) const
+  // Where the turning arc has a direction within these bounds, in a range: a zero of a function that increases. By Newton's method, or from a few signs where that does not help, as the slope is nearly zero.
+  template <Enclosing_number Number>
+  Range turning_parameter(const std::array<Number, 2>& direction, Range u) const
   {
     constexpr double enough = 0.8;
-    const Site_arc_2& a = arc(m_turning);
+    const auto& a = arc_on_level<Number>(m_turning);
     const auto value = [&](double t) { return cross(direction, tangent_jet(a, {t, t}, false).tangent); };
-    for (Range u = element(m_turning).range;;) {
+    for (;;) {
       Range next = u;
-      if (const Interval slope = cross(direction, tangent_jet(a, u).change); certain_sign(slope) > 0) {
-        const Interval zero = Interval(u.middle()) - value(u.middle()) / slope;
+      if (const Number slope = cross(direction, tangent_jet(a, u).change); certain_sign(slope) > 0) {
+        const Number zero = Number(u.middle()) - value(u.middle()) / slope;
         next = {(std::min)((std::max)(zero.inf(), u.begin), u.end), (std::max)((std::min)(zero.sup(), u.end), u.begin)};
       }
       if (!(next.width() < enough * u.width()))

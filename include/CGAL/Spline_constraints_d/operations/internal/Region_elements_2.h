@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -25,7 +26,11 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-inline Interval cross(const Interval_pair& a, const Interval_pair& b) { return dot(turned_left(a), b); }
+template <Enclosing_number Number>
+Number cross(const std::array<Number, 2>& a, const std::array<Number, 2>& b)
+{
+  return dot(turned_left(a), b);
+}
 
 // What moves an arc to another one, possibly with the opposite direction.
 inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc_2& b, bool are_opposite)
@@ -47,25 +52,45 @@ inline std::optional<Exact_pair> translation(const Site_arc_2& a, const Site_arc
   return result;
 }
 
-// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
-struct Tangent_jet
+// Whether an arc is another one with the opposite direction, reflected in a point: a(t) + b(1 - t) is one point.
+inline bool are_reflected(const Site_arc_2& a, const Site_arc_2& b)
 {
-  Interval_pair point, tangent, change;
-  Interval speed;
+  const Exact_pair p = a.at(0), q = b.at(1), sum{Exact_rational(p[0] + q[0]), Exact_rational(p[1] + q[1])};
+  const auto &f = a.piece().coordinates, &g = b.piece().coordinates;
+  if (f[0].degrees() != g[0].degrees() || f[2].degrees() != g[2].degrees() || f[0].degrees() != f[2].degrees())
+    return false;
+  const auto &w = f[2].coefficients(), &v = g[2].coefficients();
+  const std::size_t n = w.size();
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c)
+      if (w[k] != v[n - 1 - k] || f[c].coefficients()[k] + g[c].coefficients()[n - 1 - k] != sum[c] * w[k])
+        return false;
+  return true;
+}
 
-  Interval turn() const { return cross(tangent, change); }
-  Interval squared_length() const { return squared_norm(tangent); }
+// The point of an arc, a tangent D with its derivative, and the factor m >= 0 of X' = m D, over a range: D is the derivative itself, or what it is without its zeros in the ends. The arc turns as D does, X' x X'' = m^2 (D x D').
+template <Enclosing_number Number>
+struct Basic_tangent_jet
+{
+  std::array<Number, 2> point, tangent, change;
+  Number speed;
+
+  Number turn() const { return cross(tangent, change); }
+  Number squared_length() const { return squared_norm(tangent); }
 };
 
+using Tangent_jet = Basic_tangent_jet<Interval>;
+
 // Without the derivative of the tangent, where this is not needed.
-inline Tangent_jet tangent_jet(const Site_arc_2& arc, const Range& range, bool has_change = true)
+template <Enclosing_number Number>
+Basic_tangent_jet<Number> tangent_jet(const Basic_site_arc_2<Number>& arc, const Range& range, bool has_change = true)
 {
   if (arc.has_singular_end()) {
     const auto [tangent, change] = arc.tangent_jet(range);
     return {arc.point(range), tangent, change, arc.tangent_factor(range)};
   }
-  const Curve_jet x = arc.jet(range, has_change ? 2 : 1);
-  return {x[0], x[1], x[2], Interval(1)};
+  const auto x = arc.jet(range, has_change ? 2 : 1);
+  return {x[0], x[1], x[2], Number(1)};
 }
 
 // How the direction of a boundary changes along a part of it.
@@ -128,6 +153,16 @@ public:
     Arc_on_demand& result = *m_fine_arcs[index];
     std::call_once(result.is_made, [&] { result.arc.emplace(static_cast<const Exact_arc_2&>(m_arcs[index])); });
     return *result.arc;
+  }
+
+  // On the level of a number type.
+  template <Enclosing_number Number>
+  const Basic_site_arc_2<Number>& arc(std::size_t index) const
+  {
+    if constexpr (std::same_as<Number, Interval>)
+      return m_arcs[index];
+    else
+      return fine_arc(index);
   }
 
   // The joint at the begin (0) or end (1) of an element.
