@@ -36,7 +36,7 @@ Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, c
     if (const Front& front = graph->fronts()[f]; !(front.is_fan ? vertices : arcs)[front.object])
       fronts.push_back(f);
   const auto scaled = std::make_shared<const Scaled_sites>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
-  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged};
+  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged, operands.places[0].first};
 }
 
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>

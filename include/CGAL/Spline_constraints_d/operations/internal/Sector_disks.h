@@ -55,7 +55,7 @@ public:
   const Site_graph_2& graph() const { return *m_graph; }
   const Front& front(const Arc& arc) const { return m_graph->fronts()[arc.front]; }
   const std::vector<Free_chains::Chain>& chains() const { return m_free.chains(); }
-  bool is_complete() const { return m_free.is_complete(); }
+  std::vector<Undecided_part_2> undecided() const { return undecided_parts(*m_graph, m_free.undecided()); }
 
   // The arcs of a piece of a chain, in the order of traversal.
   std::vector<Arc> arcs(std::size_t index) const
