@@ -59,6 +59,7 @@ class Basic_free_disks
   static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
   static constexpr double width_of_inner_ties = 0x1p-20;   // of those where they are decided in the inside
   static constexpr int most_nodes = 2000, most_undecided_nodes = 200;   // the latter where the offset is not complete anyway
+  static constexpr std::size_t many_candidates = 64;   // that are as much work as a node
   static constexpr std::size_t most_sites = 3;   // of which it is tried to find out that one of them is touched: with more, that succeeds rarely
 
   const Site_graph_2& m_graph;
@@ -164,7 +165,8 @@ private:
     erase_below_rolling_disks(range, candidates);
     if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) || resolve(part, candidates, *least))
       return;
-    const bool is_last = range.width() < least_width || ++m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
+    m_nodes += 1 + static_cast<int>(candidates.size() / many_candidates);
+    const bool is_last = range.width() < least_width || m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
     if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(front, range, candidates, is_last)))
       return;
     if (is_last) {

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
+#include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 
 #include <algorithm>
 #include <array>
@@ -151,6 +152,7 @@ private:
 template <class Concurrency_tag>
 Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& fronts, bool is_set_free)
 {
+  check_magnitude(*graph, "trimmed_offset");
   const Site_tree_2 tree(*graph);
   const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
   const Fine_level fine_level(*graph);
