@@ -48,19 +48,15 @@ bool hold(const std::vector<SC::Undecided_part_2>& parts, std::size_t curve, dou
 // The inner offset of an ellipse at the least radius of curvature, b^2 / a, is a curve with two tips, in the centers of the circles there. All disks are free, as they are at smaller distances: so the area is that of the ellipse, less the distance times its length, and a disk.
 TEST(OffsetLimits, LeastRadiusOfCurvatureOfAnEllipse)
 {
-  for (const V& a : {V(2, 0), V(8, 6)}) {
-    const bool is_turned = a.y() != 0;
-    const V b = is_turned ? V(-3, 4) : V(0, 1);
-    const double length_a = is_turned ? 10 : 2, length_b = is_turned ? 5 : 1, r = length_b * length_b / length_a, length = length_of_ellipse(length_a, length_b);
-    const Offset offset = SC::trimmed_offset(SC::planar_region(SC::ellipse_curve(P(3, -5), a, b)), -r);
-    EXPECT_TRUE(offset.is_complete());
-    EXPECT_TRUE(offset.undecided().empty());
-    ASSERT_EQ(offset.boundaries().size(), 1U);
-    EXPECT_TRUE(offset.boundaries()[0].is_closed);
-    EXPECT_FALSE(offset.boundaries()[0].is_hole);
-    EXPECT_EQ(offset.arcs().size(), 1U);
-    EXPECT_NEAR(total_area(offset.polygons_with_holes(error)), pi * length_a * length_b - r * length + pi * r * r, error * length);
-  }
+  const double r = 0.5, length = length_of_ellipse(2, 1);
+  const Offset offset = SC::trimmed_offset(SC::planar_region(SC::ellipse_curve(P(0, 0), V(2, 0), V(0, 1))), -r);
+  EXPECT_TRUE(offset.is_complete());
+  EXPECT_TRUE(offset.undecided().empty());
+  ASSERT_EQ(offset.boundaries().size(), 1U);
+  EXPECT_TRUE(offset.boundaries()[0].is_closed);
+  EXPECT_FALSE(offset.boundaries()[0].is_hole);
+  EXPECT_EQ(offset.arcs().size(), 1U);
+  EXPECT_NEAR(total_area(offset.polygons_with_holes(error)), 2 * pi - r * length + pi * r * r, error * length);
 }
 
 // The vertex of y = x^2 at one third of the parabola from x = -1 to 2, with a radius of curvature of 1/2: the offset goes on there.
@@ -107,6 +103,19 @@ TEST(OffsetLimits, LargeDistances)
     for (const P& p : polygons[0].outer_boundary())
       EXPECT_NEAR(std::hypot(p.x(), p.y()) / distance, 1, 1e-7);
   }
+}
+
+// A segment begins in the vertex of a parabola, as a tangent: the sector is not resolved next to that.
+TEST(OffsetLimits, SectorOfCurvesThatTouch)
+{
+  const auto parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(0, 0), P(1, 0)});
+  const auto sector = SC::trimmed_alpha_sector(parabola, segment, 0.25), exchanged = SC::trimmed_alpha_sector(segment, parabola, 0.75), apart = SC::trimmed_alpha_sector(parabola, P(0.25, -1), 0.25);
+  EXPECT_FALSE(sector.is_complete());
+  EXPECT_TRUE(hold(sector.undecided(), 0, 0.5));
+  EXPECT_FALSE(exchanged.is_complete());
+  EXPECT_TRUE(hold(exchanged.undecided(), 1, 0.5));
+  EXPECT_TRUE(apart.is_complete());
+  EXPECT_TRUE(apart.undecided().empty());
 }
 
 // What bounds in doubles can tell: coordinates of 10^75 and 10^-75 are decided, others refused, but not coordinates that are small beside others.
