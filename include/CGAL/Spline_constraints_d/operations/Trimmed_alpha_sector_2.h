@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/Undecided_part_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sector_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
@@ -26,7 +27,7 @@ namespace Spline_constraints {
 
 A trimmed \f$\alpha\f$-sector: all points whose distances from two curves or points, each from the nearest of its points, have the ratio \f$\alpha : 1 - \alpha\f$.
 
-It consists of closed curves, chains of arcs: on each, the nearest points are on the same piece of each curve, or the same end or corner. Arcs are connected by proof, and where something is not decided, `is_complete()` is false; chains that are affected are not closed.
+It consists of closed curves, chains of arcs: on each, the nearest points are on the same piece of each curve, or the same end or corner. Arcs are connected by proof, and where something is not decided, `is_complete()` is false, and `undecided()` tells where that is; chains that are affected are not closed.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -65,13 +66,19 @@ private:
   std::vector<Arc> m_arcs;
   std::vector<std::vector<internal::Sector_disks::Arc>> m_parts_of_arc;     // one; or several, where the normals of a vertex come in several fans
   std::vector<Chain> m_chains;
+  std::vector<Undecided_part_2> m_undecided;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Trimmed_alpha_sector_2(internal::Sector_disks disks, double factor, bool is_exchanged)
+  // Where the nearer operand is a point, there is one curve at most.
+  Trimmed_alpha_sector_2(internal::Sector_disks disks, double factor, bool is_exchanged, bool is_nearer_point)
     : m_disks(std::move(disks)), m_is_exchanged(is_exchanged), m_factor(factor)
   {
     const Upward_rounding_guard guard;
+    for (const auto& [curve, from, to] : m_disks.undecided()) {
+      const bool is_of_farther = curve == (is_nearer_point ? 0 : 1);
+      m_undecided.push_back({is_of_farther != is_exchanged ? std::size_t{1} : std::size_t{0}, from, to});
+    }
     for (const internal::Free_chains::Chain& chain : m_disks.chains())
       append_chain(chain);
   }
@@ -84,7 +91,10 @@ public:
   const std::vector<Chain>& chains() const { return m_chains; }
 
   //! whether all of the sector is proved.
-  bool is_complete() const { return m_disks.is_complete(); }
+  bool is_complete() const { return m_undecided.empty(); }
+
+  //! the parts of operands, whose indices are 0 and 1, beside which the sector is not proved: it is not known whether their points are nearest to points of the sector, or which chain goes on there. Of an operand that is a point, both numbers are 0. If curves are not proved to be disjoint elsewhere, all of each curve.
+  const std::vector<Undecided_part_2>& undecided() const { return m_undecided; }
 
   /*!
   points along an arc, so many that it passes the middles of their chords at no more than a given distance.

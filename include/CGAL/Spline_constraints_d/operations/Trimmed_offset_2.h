@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/Undecided_part_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Offset_cycles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 
@@ -28,7 +29,7 @@ A trimmed offset: the boundary of the set of all points at no more than a given 
 
 It consists of closed boundaries, each of offsets of parts of curves, and of arcs of circles around points, in order. The set is on their left: outer boundaries are counterclockwise, holes clockwise.
 
-Arcs are connected by proof, and boundaries are proved to be outer ones or holes. A boundary may touch itself or another one in points, but does not cross it: offsets that touch are connected as those at a distance that is a little greater. Where something is not decided, `is_complete()` is false; boundaries that are affected are not closed.
+Arcs are connected by proof, and boundaries are proved to be outer ones or holes. A boundary may touch itself or another one in points, but does not cross it: offsets that touch are connected as those at a distance that is a little greater. Where something is not decided, `is_complete()` is false, and `undecided()` tells where that is; boundaries that are affected are not closed.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -63,10 +64,11 @@ private:
   std::vector<Arc> m_arcs;
   std::vector<std::vector<std::size_t>> m_pieces_of_arc;   // which are the offsets of parts of fronts
   std::vector<Boundary> m_boundaries;
+  std::vector<Undecided_part_2> m_undecided;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Trimmed_offset_2(std::shared_ptr<const internal::Offset_cycles> cycles, bool is_reversed) : m_cycles(std::move(cycles)), m_is_reversed(is_reversed)
+  Trimmed_offset_2(std::shared_ptr<const internal::Offset_cycles> cycles, bool is_reversed) : m_cycles(std::move(cycles)), m_is_reversed(is_reversed), m_undecided(m_cycles->undecided())
   {
     const Upward_rounding_guard guard;
     for (const internal::Offset_cycles::Chain& chain : m_cycles->chains())
@@ -81,7 +83,10 @@ public:
   const std::vector<Boundary>& boundaries() const { return m_boundaries; }
 
   //! whether all of the offset is proved.
-  bool is_complete() const { return m_cycles->is_complete(); }
+  bool is_complete() const { return m_undecided.empty(); }
+
+  //! the parts of curves, in order, beside which the offset is not proved: it is not known whether their points are nearest to points of the offset, which boundary goes on there, or which one is around the other. Of points that were offset with the curves there is no index, and both numbers are 0. If curves are not proved to be disjoint, all of each curve.
+  const std::vector<Undecided_part_2>& undecided() const { return m_undecided; }
 
   /*!
   points along an arc, so many that it is no farther from the lines of their chords than a given distance, up to rounding of the points.

@@ -36,7 +36,7 @@ Trimmed_alpha_sector_2<Kernel> trimmed_alpha_sector_of(const A& a, const B& b, c
     if (const Front& front = graph->fronts()[f]; !(front.is_fan ? vertices : arcs)[front.object])
       fronts.push_back(f);
   const auto scaled = std::make_shared<const Scaled_sites>(Exact_rational(factor * factor), std::move(arcs), std::move(vertices));
-  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged};
+  return {sector_disks<Concurrency_tag>(graph, scaled, fronts), to_nearest_double(factor), is_exchanged, operands.places[0].first};
 }
 
 template <class Concurrency_tag, SplineKernel Kernel, class A, class B>
@@ -69,14 +69,14 @@ The point belongs to the sector if no other point of the first curve is in that 
 
 Where curves meet, both distances are 0. The chains come to such a point, and leave it again on the other side of the first curve; pieces that are common to both curves are no part of the result.
 
-Where curves touch, or one has a zero derivative or touches itself, the sector is not resolved, and `Trimmed_alpha_sector_2::is_complete()` is false. A crossing of the sector with both self-bisectors in one point, as by symmetry, is decided if it is rational, and all sites there are points, lines and circles.
+Where curves touch, or one has a zero derivative or touches itself, the sector is not resolved: `Trimmed_alpha_sector_2::is_complete()` is false, and `Trimmed_alpha_sector_2::undecided()` tells where. A crossing of the sector with both self-bisectors in one point, as by symmetry, is decided if it is rational, and all sites there are points, lines and circles.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides of the curves to all cores through TBB. The answers are the same.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.
 \param a the first curve.
 \param b the second curve.
 \param alpha the share of the distance from the first curve, exactly; between 0 and 1, and not 1/2.
-\throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), or is 1/2: `trimmed_bisector()` is for that; when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when \f$\alpha\f$ is not inside of (0,1), or is 1/2: `trimmed_bisector()` is for that; when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of the Voronoi diagram. Source: \cgalCite{kes-gcps-05}, section 3, has the sector; \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */

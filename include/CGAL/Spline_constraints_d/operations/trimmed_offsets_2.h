@@ -31,14 +31,14 @@ Along each side of each polynomial piece, and all normals of each end, those dis
 each is connected to the other curve that the disk touches there, not by coordinates.
 
 Where disks are touched from opposite, as between parallel walls at exactly twice the distance, or two corners, the offset is the limit of those at greater distances: offsets that coincide bound nothing, and where two touch in a point, both end in it. That is decided exactly if the point is an end of one of the curves, and opposite to an end or a straight part of the other one, and for arcs of circles with one center.
-So a grown set of which two parts touch is one component, the outer boundary of which passes the point twice, and a shrunk one falls into components. Other offsets that touch, radii of curvature of that size in a vertex of a curve, and curves that touch each other at parameters that are not rational, on the side in question, are not decided: `Trimmed_offset_2::is_complete()` is false.
+So a grown set of which two parts touch is one component, the outer boundary of which passes the point twice, and a shrunk one falls into components. A vertex of a curve with exactly that radius of curvature, in which the curvature is greatest, is decided if it is an end of a piece or its parameter there is a simple number: disks next to it are free as far as that curve is concerned. Other offsets that touch, other such vertices, and curves that touch each other at parameters that are not rational, on the side in question, are not decided: `Trimmed_offset_2::is_complete()` is false, and `Trimmed_offset_2::undecided()` tells where. The work for each side of a piece is limited; where the distance is very nearly a radius of curvature in a vertex, by less than about \f$10^{-5}\f$ of it, the limit may be reached.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides to all cores through TBB. The answers are the same.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves; there may be none.
 \param distance the distance; positive.
 \param points points that are offset with the curves.
-\throws Invalid_input when the distance is not positive or not finite, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the distance is not positive or not finite, the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes.
 */
@@ -62,7 +62,7 @@ the trimmed offset of a region: the boundary of the region that has grown by a d
 \tparam Concurrency_tag as above.
 \param region the region. Parameters of arcs are those of its curves.
 \param distance the distance; not zero. The result may be empty if it is negative.
-\throws Invalid_input when the distance is zero or not finite, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the distance is zero or not finite, the greatest coordinate is not as above, or the weight of a curve is not proved to have one sign.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, const typename Kernel::FT& distance)

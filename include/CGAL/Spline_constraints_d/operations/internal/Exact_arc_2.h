@@ -118,6 +118,22 @@ public:
   // Whether the arc ends exactly in a vertex of its curve, where the derivative of the curvature is zero, as half a parabola does; not of segments and circular arcs, where it is zero everywhere.
   bool is_curvature_stationary(bool end) const { return m_is_curvature_stationary[end]; }
 
+  // Whether the derivative of the curvature is zero in a point. With X' = D / w^2 the curvature is w^2 (D x D') / |D|^3.
+  bool is_curvature_stationary_at(const Exact_rational& t) const
+  {
+    const auto& [d0, d1, d2, w0, w1] = numerators_at(t);
+    const Exact_rational turn = exact_cross(d0, d1), square = exact_dot(d0, d0);
+    return sign_of(Exact_rational(w0 * exact_cross(d0, d2) * square + 2 * w1 * turn * square - 3 * w0 * exact_dot(d0, d1) * turn)) == 0;
+  }
+
+  // The square of the curvature in a point, with the sign of that.
+  Exact_rational signed_square_of_curvature(const Exact_rational& t) const
+  {
+    const auto& [d0, d1, d2, w0, w1] = numerators_at(t);
+    const Exact_rational turn = exact_cross(d0, d1), square = exact_dot(d0, d0);
+    return w0 * w0 * w0 * w0 * turn * CGAL::abs(turn) / (square * square * square);
+  }
+
   // X' w^2; of a polynomial arc, X'.
   std::array<Bernstein_tensor<Exact_rational>, 2> derivative_numerators() const
   {
@@ -151,15 +167,26 @@ private:
     return c.size() < 3 || std::all_of(c.begin() + 2, c.end(), [](const Exact_rational& x) { return sign_of(x) == 0; });
   }
 
-  // With X' = D / w^2 the curvature is w^2 (D x D') / |D|^3.
-  bool is_curvature_stationary_at(const Exact_rational& t) const
+  // D and its derivatives, and the weight and its derivative.
+  struct Numerators
+  {
+    Exact_pair d0, d1, d2;
+    Exact_rational w0, w1;
+  };
+
+  Numerators numerators_at(const Exact_rational& t) const
   {
     const std::array<Exact_rational, 1> u{t};
     const auto d = derivative_numerators();
-    const Exact_pair d0{d[0](u), d[1](u)}, d1{d[0].derivative(0)(u), d[1].derivative(0)(u)}, d2{d[0].derivative(0).derivative(0)(u), d[1].derivative(0).derivative(0)(u)};
-    const Exact_rational w0 = m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u), w1 = m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u);
-    const Exact_rational turn = exact_cross(d0, d1), square = exact_dot(d0, d0);
-    return sign_of(Exact_rational(w0 * exact_cross(d0, d2) * square + 2 * w1 * turn * square - 3 * w0 * exact_dot(d0, d1) * turn)) == 0;
+    const auto at = [&](std::size_t order) {
+      auto [x, y] = d;
+      for (std::size_t i = 0; i < order; ++i) {
+        x = x.derivative(0);
+        y = y.derivative(0);
+      }
+      return Exact_pair{x(u), y(u)};
+    };
+    return {at(0), at(1), at(2), m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u), m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u)};
   }
 
   // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
+#include <CGAL/Spline_constraints_d/operations/internal/undecided_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -67,10 +68,20 @@ public:
   const std::vector<Chain>& chains() const { return m_chains; }
   const Front& front(const Piece& piece) const { return m_graph.fronts()[piece.front]; }
 
-  // Whether all fronts are decided, and all chains closed.
-  bool is_complete() const
+  // The parts of fronts that are not decided, and those with the ends of chains that are not closed.
+  std::vector<Front_range> undecided() const
   {
-    return m_graph.is_proved() && std::all_of(m_ranges.begin(), m_ranges.end(), [](const Free_ranges& ranges) { return ranges.undecided.empty(); }) && std::all_of(m_chains.begin(), m_chains.end(), [](const Chain& chain) { return chain.is_closed; });
+    std::vector<Front_range> result;
+    for (std::size_t f = 0; f < m_ranges.size(); ++f)
+      for (const Range& range : m_ranges[f].undecided)
+        result.push_back({f, range});
+    for (const Chain& chain : m_chains)
+      if (!chain.is_closed)
+        for (const bool is_end : {false, true}) {
+          const Piece& piece = m_pieces[is_end ? chain.pieces.back() : chain.pieces.front()];
+          result.push_back({piece.front, end(piece, is_end).location});
+        }
+    return result;
   }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.

@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Opposite_sites.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Rolling_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Swept_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touching_disk.h>
 
@@ -34,7 +35,7 @@ namespace internal {
 Where a disk of a given radius r that touches a front has no curve inside.
 
 With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the front, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one contact is
-left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Opposite_sites, Covering_sites).
+left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Rolling_disks, Opposite_sites, Covering_sites).
 
 What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
 */
@@ -57,7 +58,8 @@ class Basic_free_disks
   static constexpr double least_width = is_in_doubles ? 0x1p-33 : 0x1p-48;
   static constexpr double width_of_ties = 0x1p-5;   // of ranges that may have to be decided exactly
   static constexpr double width_of_inner_ties = 0x1p-20;   // of those where they are decided in the inside
-  static constexpr int most_nodes = 2000;
+  static constexpr int most_nodes = 2000, most_undecided_nodes = 200;   // the latter where the offset is not complete anyway
+  static constexpr std::size_t many_candidates = 64;   // that are as much work as a node
   static constexpr std::size_t most_sites = 3;   // of which it is tried to find out that one of them is touched: with more, that succeeds rarely
 
   const Site_graph_2& m_graph;
@@ -68,6 +70,7 @@ class Basic_free_disks
   const Fine_level* m_fine_level;   // none on that level
   Disk_slopes* m_slopes = nullptr;             // of the front
   Opposite_sites* m_opposite_sites = nullptr;
+  Rolling_disks* m_rolling_disks = nullptr;    // none on the fine level
   Exact_rational m_exact_radius;
   Interval m_radius;
   Swept_ranges m_swept;
@@ -86,10 +89,13 @@ public:
   {
     Disk_slopes slopes(m_graph, front);
     Opposite_sites opposite_sites(m_graph, front, m_exact_radius);
+    Rolling_disks rolling_disks(m_graph, front, m_exact_radius);
     m_slopes = &slopes;
     m_opposite_sites = &opposite_sites;
+    m_rolling_disks = &rolling_disks;
     m_swept = {};
     m_nodes = 0;
+    m_most_nodes = most_nodes;
     m_fine_nodes = 0;
     m_fine_width = 0;
     const int sign = sign_in_own_circle(front);
@@ -156,18 +162,27 @@ private:
     }
     if (range.width() < width_of_ties)
       std::erase_if(candidates, [&](const Disk_candidate& candidate) { return m_opposite_sites->contain(candidate); });
+    erase_below_rolling_disks(range, candidates);
     if (append_pocket(part, candidates) || append_touching(part, candidates) || append_by_reach(part, candidates) || resolve(part, candidates, *least))
       return;
-    const bool is_last = range.width() < least_width || ++m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
+    m_nodes += 1 + static_cast<int>(candidates.size() / many_candidates);
+    const bool is_last = range.width() < least_width || m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
     if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(front, range, candidates, is_last)))
       return;
     if (is_last) {
-      m_swept.append_undecided(range);
+      append_undecided(range, candidates.size());
       return;
     }
     const double middle = range.begin + split_ratio * range.width();
     sweep(front, {range.begin, middle}, candidates);
     sweep(front, {middle, range.end}, std::move(candidates));
+  }
+
+  // The offset is not complete then: less is done for the rest of the front, and least where very many things cannot be told apart.
+  void append_undecided(const Range& range, std::size_t candidates)
+  {
+    m_most_nodes = (std::min)(m_most_nodes, m_nodes + (candidates > Disk_candidates::most_candidates ? 0 : most_undecided_nodes));
+    m_swept.append_undecided(range);
   }
 
   // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters; nothing if all of the disks hold something.
@@ -177,6 +192,15 @@ private:
     const Interval wanted = wanted_curvature(part);
     const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(part.front, {u, u})), wanted_slope(part), wanted.inf()});
     return least && *least <= wanted.sup() ? least : std::nullopt;
+  }
+
+  void erase_below_rolling_disks(const Range& range, std::vector<Disk_candidate>& candidates)
+  {
+    if constexpr (is_in_doubles) {
+      if (range.width() < width_of_ties)
+        m_rolling_disks->look_for_place_in(range);
+      m_rolling_disks->erase_below(range, candidates);
+    }
   }
 
   // Decides a part that is not divided any more, where doubles are left: whether some sites cover it all.

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
+#include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ private:
   Interval m_radius;
   Free_chains m_free;
   std::vector<Chain> m_chains;
-  bool m_is_nested = true;
+  std::vector<Front_range> m_not_nested;   // points of curves that are nearest to chains that are not
 
 public:
   Offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Interval& radius, std::vector<Free_ranges> ranges, bool is_set_free)
@@ -67,8 +68,13 @@ public:
   const Front& front(const Piece& piece) const { return m_free.front(piece); }
   Front_offset offset(const Piece& piece) const { return {*m_graph, piece.front, m_radius}; }
 
-  // Whether all fronts are decided, and all chains closed and nested.
-  bool is_complete() const { return m_is_nested && m_free.is_complete(); }
+  // Where fronts are not decided, or chains not closed or nested.
+  std::vector<Undecided_part_2> undecided() const
+  {
+    std::vector<Front_range> ranges = m_free.undecided();
+    ranges.insert(ranges.end(), m_not_nested.begin(), m_not_nested.end());
+    return undecided_parts(*m_graph, std::move(ranges));
+  }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
   std::array<double, 2> parameters(const Piece& piece) const { return m_free.parameters(piece); }
@@ -81,28 +87,33 @@ private:
   }
 
   // A point of the curves that is nearest to a point of a chain.
-  Interval_pair foot(const Chain& chain) const
+  Front_range foot(const Chain& chain) const
   {
     const Piece& piece = pieces()[chain.pieces.front()];
     const auto [from, to] = parameters(piece);
     const double u = from / 2 + to / 2;
-    return m_graph->front_jet(front(piece), {u, u}).point;
+    return {piece.front, {u, u}};
   }
 
-  // How often a closed chain goes around a point, counterclockwise; if that is not certain, 0, and the result is not complete.
-  int winding_number(const Chain& chain, const Interval_pair& p)
+  // How often a closed chain goes around the foot of a chain, counterclockwise; if that is not certain, 0, and the other chain is not nested.
+  int winding_number(const Chain& chain, const Chain& other)
   {
     constexpr double most_error = 0.01;
+    const Front_range place = foot(other);
+    const Interval_pair p = m_graph->front_jet(m_graph->fronts()[place.front], place.range).point;
     double turns = 0;
+    bool is_certain = true;
     for (const std::size_t i : chain.pieces) {
       const auto [from, to] = parameters(pieces()[i]);
       const auto angle = offset(pieces()[i]).turn_around(p, from, to);
-      m_is_nested = m_is_nested && angle;
+      is_certain = is_certain && angle;
       turns += angle.value_or(0) / (2 * CGAL_PI);
     }
     const double result = std::round(turns);
-    m_is_nested = m_is_nested && std::abs(turns - result) < most_error;
-    return static_cast<int>(result);
+    if (is_certain && std::abs(turns - result) < most_error)
+      return static_cast<int>(result);
+    m_not_nested.push_back(place);
+    return 0;
   }
 
   void nest_chains(bool is_set_free)
@@ -110,15 +121,14 @@ private:
     std::vector<std::size_t> outer;
     for (std::size_t c = 0; c < m_chains.size(); ++c)
       if (Chain& chain = m_chains[c]; chain.is_closed) {
-        chain.is_hole = (winding_number(chain, foot(chain)) == 0) != is_set_free;
+        chain.is_hole = (winding_number(chain, chain) == 0) != is_set_free;
         if (!chain.is_hole)
           outer.push_back(c);
       }
     const auto around = [&](std::size_t c) {   // the outer chains around the foot of a chain
-      const Interval_pair p = foot(m_chains[c]);
       std::vector<std::size_t> result;
       for (const std::size_t o : outer)
-        if (o != c && winding_number(m_chains[o], p) != 0)
+        if (o != c && winding_number(m_chains[o], m_chains[c]) != 0)
           result.push_back(o);
       return result;
     };
@@ -131,7 +141,7 @@ private:
       if (m_chains[c].is_hole) {
         const std::vector<std::size_t> candidates = around(c);
         if (candidates.empty())
-          m_is_nested = false;
+          m_not_nested.push_back(foot(m_chains[c]));
         else
           m_chains[c].outer = *std::max_element(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
       }
@@ -142,6 +152,7 @@ private:
 template <class Concurrency_tag>
 Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& fronts, bool is_set_free)
 {
+  check_magnitude(*graph, "trimmed_offset");
   const Site_tree_2 tree(*graph);
   const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
   const Fine_level fine_level(*graph);

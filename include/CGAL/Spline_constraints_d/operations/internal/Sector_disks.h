@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,7 @@ public:
   const Site_graph_2& graph() const { return *m_graph; }
   const Front& front(const Arc& arc) const { return m_graph->fronts()[arc.front]; }
   const std::vector<Free_chains::Chain>& chains() const { return m_free.chains(); }
-  bool is_complete() const { return m_free.is_complete(); }
+  std::vector<Undecided_part_2> undecided() const { return undecided_parts(*m_graph, m_free.undecided()); }
 
   // The arcs of a piece of a chain, in the order of traversal.
   std::vector<Arc> arcs(std::size_t index) const
@@ -164,6 +165,7 @@ private:
 template <class Concurrency_tag>
 Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, const std::vector<std::size_t>& fronts)
 {
+  check_magnitude(*graph, "trimmed_alpha_sector");
   const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature curvature(*graph, scaled.get());
   const Fine_level fine_level(*graph, scaled.get());
