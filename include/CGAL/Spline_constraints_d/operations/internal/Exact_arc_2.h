@@ -27,7 +27,7 @@ class Exact_arc_2
   std::array<int, 2> m_zeros{};                                 // of the derivative in both ends, where these are exact
   std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;    // the derivative without these zeros, where there are any
   bool m_is_polynomial = true;
-  std::array<bool, 2> m_is_curvature_stationary{};              // in both ends
+  std::array<bool, 2> m_is_curvature_stationary{}, m_is_curvature_zero{};   // in both ends
   bool m_is_straight = true, m_is_segment = false;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
 
@@ -49,7 +49,10 @@ public:
       m_circle = circle_through_all_points();
     if (!m_is_straight && !m_circle && sign_of(error) == 0)
       for (const bool end : {false, true})
-        m_is_curvature_stationary[end] = m_zeros[end] == 0 && is_curvature_stationary_at(Exact_rational(end ? 1 : 0));
+        if (m_zeros[end] == 0) {
+          m_is_curvature_stationary[end] = is_curvature_stationary_at(Exact_rational(end ? 1 : 0));
+          m_is_curvature_zero[end] = is_curvature_zero_at(Exact_rational(end ? 1 : 0));
+        }
   }
 
   const Homogeneous_piece& piece() const { return m_piece; }
@@ -118,6 +121,16 @@ public:
   // Whether the arc ends exactly in a vertex of its curve, where the derivative of the curvature is zero, as half a parabola does; not of segments and circular arcs, where it is zero everywhere.
   bool is_curvature_stationary(bool end) const { return m_is_curvature_stationary[end]; }
 
+  // Whether the curvature is zero in an end, as in the first of three control points in a row; not of segments.
+  bool is_curvature_zero(bool end) const { return m_is_curvature_zero[end]; }
+
+  // The curvature times |X'|, where X' = D / w^2 is not zero: (D x D') / |D|^2.
+  Exact_rational curvature_at(const Exact_rational& t) const
+  {
+    const auto [d0, d1] = derivative_jet(t);
+    return Exact_rational(exact_cross(d0, d1) / exact_dot(d0, d0));
+  }
+
   // X' w^2; of a polynomial arc, X'.
   std::array<Bernstein_tensor<Exact_rational>, 2> derivative_numerators() const
   {
@@ -151,12 +164,27 @@ private:
     return c.size() < 3 || std::all_of(c.begin() + 2, c.end(), [](const Exact_rational& x) { return sign_of(x) == 0; });
   }
 
+  // X' w^2 and the derivative of that.
+  std::array<Exact_pair, 2> derivative_jet(const Exact_rational& t) const
+  {
+    const std::array<Exact_rational, 1> u{t};
+    const auto d = derivative_numerators();
+    return {Exact_pair{d[0](u), d[1](u)}, Exact_pair{d[0].derivative(0)(u), d[1].derivative(0)(u)}};
+  }
+
+  bool is_curvature_zero_at(const Exact_rational& t) const
+  {
+    const auto [d0, d1] = derivative_jet(t);
+    return sign_of(exact_cross(d0, d1)) == 0;
+  }
+
   // With X' = D / w^2 the curvature is w^2 (D x D') / |D|^3.
   bool is_curvature_stationary_at(const Exact_rational& t) const
   {
     const std::array<Exact_rational, 1> u{t};
+    const auto [d0, d1] = derivative_jet(t);
     const auto d = derivative_numerators();
-    const Exact_pair d0{d[0](u), d[1](u)}, d1{d[0].derivative(0)(u), d[1].derivative(0)(u)}, d2{d[0].derivative(0).derivative(0)(u), d[1].derivative(0).derivative(0)(u)};
+    const Exact_pair d2{d[0].derivative(0).derivative(0)(u), d[1].derivative(0).derivative(0)(u)};
     const Exact_rational w0 = m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u), w1 = m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u);
     const Exact_rational turn = exact_cross(d0, d1), square = exact_dot(d0, d0);
     return sign_of(Exact_rational(w0 * exact_cross(d0, d2) * square + 2 * w1 * turn * square - 3 * w0 * exact_dot(d0, d1) * turn)) == 0;
