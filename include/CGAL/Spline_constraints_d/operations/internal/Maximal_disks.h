@@ -264,6 +264,8 @@ private:
     if (far_sign == 0)
       return false;
     if (far_sign > 0) {
+      if (pocket->may_touch_far_end(pocket->contact()))
+        return false;
       append(pocket->contact(), part.range);
       return true;
     }
@@ -273,6 +275,8 @@ private:
       return false;
     const Interval curvature = curvature_at(event);
     const Located_contact inside = pocket->contact(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    if (pocket->may_touch_far_end(inside))
+      return false;
     append(first, {begin, event});
     append_event(Disk_event::CROSSING, last, {event, end});
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
