@@ -57,6 +57,39 @@ TEST(NearlySmoothJoints, DiagramsAreComplete)
   }
 }
 
+// A kink of 2^-25 between segments of different lengths: the disks of the longer one touch the end of the other one, not its inside, where they are farther from the kink than that is.
+TEST(NearlySmoothJoints, KinkBetweenSegments)
+{
+  const double e = 0x1p-25;
+  const Diagram diagram = SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0, 1 - e)}), bezier({P(0, 1 - e), P(-e, 1.5 - 2 * e)})});
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  std::size_t of_arcs = 0, of_arc_and_end = 0;
+  for (const auto& edge : diagram.edges()) {
+    const auto& [a, b] = edge.sites;
+    const std::size_t points = diagram.sites()[a].is_point + diagram.sites()[b].is_point;
+    of_arcs += points == 0;
+    if (points == 1) {
+      ++of_arc_and_end;
+      const std::size_t arc = diagram.sites()[a].is_point ? b : a, end = arc == a ? b : a;
+      EXPECT_EQ(arc, 0U);
+      EXPECT_EQ(diagram.sites()[end].point, P(-e, 1.5 - 2 * e));
+    }
+  }
+  EXPECT_EQ(of_arcs, 1U);
+  EXPECT_EQ(of_arc_and_end, 1U);
+}
+
+// Kinks of 2^-29 between curves: on one side of a corner disks are too small for bounds, on the other side they are not.
+TEST(NearlySmoothJoints, CornersWithOneSideToldByBounds)
+{
+  const Curves curves{bezier({P(3, 4), P(1073741825 * 0x1p-28, 1342177281 * 0x1p-28), P(-3, 1), P(2, -1)}), bezier({P(2, -1), P(3758096385 * 0x1p-29, -805306369 * 0x1p-29), P(3, -1)}), bezier({P(3, -1), P(1073741825 * 0x1p-30, 3 * 0x1p-29)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_GT(diagram.edges().size(), 5U);
+  expect_euler(diagram);
+}
+
 // A rounded drop: three quarters of a circle as cubics, one of them with a larger error, whose disks nearly touch everything in the middle, and a kink that is not small.
 TEST(NearlySmoothJoints, RoundedDrop)
 {

@@ -100,6 +100,14 @@ public:
   // Whether disks in the pocket leave no part of the other arc out: none touches it twice.
   bool has_one_stretch() const { return m_graph.arcs()[m_other.arc].is_spiral(m_range); }
 
+  // Whether disks may touch the far end of the other arc, as those do that are too far from the corner: if a contact with the arc may be there, and their curvature is not known to decrease toward it.
+  bool may_touch_far_end(const Located_contact& located) const
+  {
+    const double far = 1 - m_other.parameter();
+    const int way = m_other.is_end ? -1 : 1;   // of the parameter, to the far end
+    return located.range.meets({far, far}) && certain_sign(m_curvature(m_part, m_other.arc, {far, far}, m_graph.arcs()[m_other.arc].jet({far, far})).dv) != -way;
+  }
+
   // Whether points are outside of all that may be in the pocket of a disk.
   bool is_outside(const Interval_pair& points) const
   {

@@ -227,18 +227,18 @@ private:
     return false;
   }
 
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; where the derivative is zero, or that of the curvature; on the circle of the front, in tangents of it; and near a tie.
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; where the derivative is zero, or the curvature or its derivative; on the circle of the front, in tangents of it; and near a tie.
   bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
   {
     if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
       return false;
-    const bool is_near = distance.begin <= most_gap * distance.width(), is_stationary = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end);
+    const bool is_near = distance.begin <= most_gap * distance.width(), is_flat = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end) || m_graph.arcs()[end.arc].is_curvature_zero(end.is_end);
     const std::size_t vertex = m_graph.vertex_of(end);
     if (m_front.is_fan)
-      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || is_stationary || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
+      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || is_flat || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
     const Arc_end own{m_front.object, front_end};
     if (own == end)
-      return is_near && (!m_graph.is_regular(end) || is_stationary);
+      return is_near && (!m_graph.is_regular(end) || is_flat);
     if (is_end_after(own, end))
       return true;
     if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Mirrored_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/exact_disk_curvatures.h>
+#include <CGAL/Spline_constraints_d/operations/internal/touches_line.h>
 
 #include <algorithm>
 #include <array>
@@ -407,20 +408,38 @@ private:
     return std::nullopt;
   }
 
+  // Whether the half-plane of an end of the front touches an arc, in the point where a branch has its maximum.
+  bool is_half_plane_at_end(const Disk_branch& branch, bool end) const
+  {
+    if (branch.move || !is_exact_arc(m_graph, branch.contact) || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return false;
+    const double u = end ? 1 : 0;
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(u));
+    return is_only_maximum(m_graph, m_curvature, m_curvature.part(m_part.front, {u, u}), {branch.contact, branch.range}, branch) &&
+           touches_line(m_graph.arcs()[branch.contact.index], branch.range, m_graph.exact_point(m_front, end), {Exact_rational(-normal[1]), normal[0]});
+  }
+
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_branch& branch, bool end) const
   {
+    if (is_half_plane_at_end(branch, end))
+      return Number_with_root{};
     const auto touched = touched_end(branch, end);
     const bool is_elsewhere = touched && m_graph.arcs()[touched->arc].at(Exact_rational(touched->parameter())) != m_graph.exact_point(m_front, end);
     return exact_curvature_at_end(is_elsewhere ? Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(*touched)} : branch.contact, end);
   }
 
-  // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs.
+  // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs. Disks through that end itself have the curvature of the arc there.
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const
   {
     if (contact.kind == Disk_contact::Kind::NOTHING)
       return Number_with_root{};
     if (!m_front.is_fan && !m_graph.is_exact({m_front.object, end}))
       return std::nullopt;
+    if (!m_front.is_fan && contact == Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of({m_front.object, end})}) {
+      const Site_arc_2& own = m_graph.arcs()[m_front.object];
+      const Exact_rational k = own.has_singular_end() ? Exact_rational(0) : own.curvature_at(Exact_rational(end ? 1 : 0));
+      return own.has_singular_end() ? std::nullopt : std::optional(Number_with_root{m_front.is_reversed ? Exact_rational(-k) : k});
+    }
     const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
     if (contact.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(contact.index) && m_graph.vertices()[contact.index].is_exact)
       return curvature_of_disk_through(m_graph.vertices()[contact.index].exact_point, p, n);

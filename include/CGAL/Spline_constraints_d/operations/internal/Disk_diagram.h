@@ -315,9 +315,9 @@ private:
 
   std::size_t twin_of(const Halfedge& h) const
   {
-    if (const Part& part = h.parts.front(); stretch(part).corner) {   // the other side of the pocket
+    if (const Part& part = h.parts.front(); stretch(part).corner) {   // the other side of the pocket, which may be larger and have its disks told by bounds
       const std::size_t other = stretch(part).corner->is_end != front(part).is_reversed ? h.next : h.previous;
-      return stretch(m_halfedges[other].parts.front()).corner ? other : none;
+      return is_contact_with(contact(m_halfedges[other]), front(part)) && is_contact_with(contact(h), front(m_halfedges[other])) ? other : none;
     }
     for (const Part& part : h.parts)
       for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {

@@ -27,7 +27,7 @@ class Exact_arc_2
   std::array<int, 2> m_zeros{};                                 // of the derivative in both ends, where these are exact
   std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;    // the derivative without these zeros, where there are any
   bool m_is_polynomial = true;
-  std::array<bool, 2> m_is_curvature_stationary{};              // in both ends
+  std::array<bool, 2> m_is_curvature_stationary{}, m_is_curvature_zero{};   // in both ends
   bool m_is_straight = true, m_is_segment = false;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
 
@@ -49,7 +49,10 @@ public:
       m_circle = circle_through_all_points();
     if (!m_is_straight && !m_circle && sign_of(error) == 0)
       for (const bool end : {false, true})
-        m_is_curvature_stationary[end] = m_zeros[end] == 0 && is_curvature_stationary_at(Exact_rational(end ? 1 : 0));
+        if (m_zeros[end] == 0) {
+          m_is_curvature_stationary[end] = is_curvature_stationary_at(Exact_rational(end ? 1 : 0));
+          m_is_curvature_zero[end] = is_curvature_zero_at(Exact_rational(end ? 1 : 0));
+        }
   }
 
   const Homogeneous_piece& piece() const { return m_piece; }
@@ -134,6 +137,16 @@ public:
     return w0 * w0 * w0 * w0 * turn * CGAL::abs(turn) / (square * square * square);
   }
 
+  // Whether the curvature is zero in an end, as in the first of three control points in a row; not of segments.
+  bool is_curvature_zero(bool end) const { return m_is_curvature_zero[end]; }
+
+  // The curvature times |X'|, where X' = D / w^2 is not zero: (D x D') / |D|^2.
+  Exact_rational curvature_at(const Exact_rational& t) const
+  {
+    const Numerators x = numerators_at(t);
+    return Exact_rational(exact_cross(x.d0, x.d1) / exact_dot(x.d0, x.d0));
+  }
+
   // X' w^2; of a polynomial arc, X'.
   std::array<Bernstein_tensor<Exact_rational>, 2> derivative_numerators() const
   {
@@ -187,6 +200,12 @@ private:
       return Exact_pair{x(u), y(u)};
     };
     return {at(0), at(1), at(2), m_is_polynomial ? Exact_rational(1) : m_piece.coordinates[2](u), m_is_polynomial ? Exact_rational(0) : m_piece.coordinates[2].derivative(0)(u)};
+  }
+
+  bool is_curvature_zero_at(const Exact_rational& t) const
+  {
+    const Numerators x = numerators_at(t);
+    return sign_of(exact_cross(x.d0, x.d1)) == 0;
   }
 
   // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).

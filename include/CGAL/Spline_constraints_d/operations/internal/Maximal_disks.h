@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Common_disk.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Common_half_plane.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Common_line.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Corner_tip.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
@@ -68,6 +69,7 @@ class Basic_maximal_disks
   using Maximal_disks = Basic_maximal_disks<Interval>;
   using Common_disk = Basic_common_disk<Interval>;
   using Common_half_plane = Basic_common_half_plane<Interval>;
+  using Common_line = Basic_common_line<Interval>;
   using Corner_pocket = Basic_corner_pocket<Interval>;
   using Corner_tip = Basic_corner_tip<Interval>;
   using Mirrored_disk = Basic_mirrored_disk<Interval>;
@@ -232,13 +234,13 @@ private:
     return is_disk_common(part, branches, middle) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
-  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies.
+  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies, or has a rational border.
   bool is_disk_common(const Front_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
   {
     const Common_disk disk(m_graph, m_curvature, center, branches);
     const auto touches = [&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); };
     return (disk.touches(part) && std::all_of(branches.begin(), branches.end(), touches)) || Mirrored_disk(m_graph, m_curvature, part, branches).touches_all() ||
-           Common_half_plane(m_graph, m_curvature, part).touches_all(branches);
+           Common_half_plane(m_graph, m_curvature, part).touches_all(branches) || Common_line(m_graph, m_curvature, part).touches_all(branches);
   }
 
   /*
@@ -264,6 +266,8 @@ private:
     if (far_sign == 0)
       return false;
     if (far_sign > 0) {
+      if (pocket->may_touch_far_end(pocket->contact()))
+        return false;
       append(pocket->contact(), part.range);
       return true;
     }
@@ -273,6 +277,8 @@ private:
       return false;
     const Interval curvature = curvature_at(event);
     const Located_contact inside = pocket->contact(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    if (pocket->may_touch_far_end(inside))
+      return false;
     append(first, {begin, event});
     append_event(Disk_event::CROSSING, last, {event, end});
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
