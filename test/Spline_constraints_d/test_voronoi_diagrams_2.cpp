@@ -360,3 +360,19 @@ TEST(VoronoiDiagrams, BadInput)
   EXPECT_THROW(diagram.polyline(0, 0), SC::Invalid_input);
   EXPECT_EQ(diagram.polyline(0, 0.1, 0.1).size(), 0U);   // all disks are larger
 }
+
+// What is not decided is named. A segment, and curves that begin in one of its ends, in its direction: one of them with curvature zero, so that two sides are not told apart.
+TEST(VoronoiDiagrams, NamesWhatIsUndecided)
+{
+  const Curves curves{bezier({P(-2, 0), P(3, 0)}), bezier({P(-2, 0), P(-1, 0), P(-3, 0), P(1, 1)}), bezier({P(-2, 0), P(-1, 0), P(4, 3)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_FALSE(diagram.is_complete());
+  ASSERT_FALSE(diagram.undecided().empty());
+  for (const SC::Undecided_part_2& part : diagram.undecided()) {
+    EXPECT_LT(part.curve, curves.size());
+    EXPECT_LE(0, part.from);
+    EXPECT_LE(part.from, part.to);
+    EXPECT_LE(part.to, 1);
+  }
+  EXPECT_TRUE(SC::voronoi_diagram(Curves(curves.begin() + 1, curves.begin() + 2)).undecided().empty());
+}

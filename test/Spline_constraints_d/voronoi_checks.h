@@ -57,6 +57,7 @@ inline void expect_euler(const Diagram& diagram)
   const bool has_far = far > 0;
   const std::size_t vertices = diagram.vertices().size() - static_cast<std::size_t>(far) + has_far, separate = components(diagram) - !has_far;
   EXPECT_EQ(vertices + diagram.number_of_regions(), diagram.edges().size() + 1 + separate);
+  EXPECT_EQ(diagram.is_complete(), diagram.undecided().empty());
 }
 
 struct Counts

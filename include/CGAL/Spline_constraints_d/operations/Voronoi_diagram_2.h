@@ -70,7 +70,7 @@ The Voronoi diagram of points and curves, trimmed: a planar graph of the points 
 
 A vertex of degree three or more is such a point of as many contacts. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
 
-Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges.
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -158,6 +158,9 @@ public:
 
   //! whether all of the diagram is proved.
   bool is_complete() const { return m_diagram->is_complete(); }
+
+  //! the parts of curves beside which disks are not decided, or edges not connected, in order; none if the diagram is complete, and some if it is not. A part that belongs to an isolated point has no curve: the greatest index.
+  std::vector<Undecided_part_2> undecided() const { return internal::undecided_parts(*m_graph, m_diagram->unresolved_parts()); }
 
   /*!
   points along an edge, so many that it passes the middles of their chords at no more than a given distance.

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
+#include <CGAL/Spline_constraints_d/operations/internal/undecided_parts.h>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,6 @@ private:
   std::vector<Halfedge> m_halfedges;
   std::vector<Vertex> m_vertices;
   std::vector<Part> m_lone_circles;                        // one of each cycle whose disks all are the same
-  std::size_t m_unmatched = 0;
 
 public:
   // The fronts are all, or those of some cycles; others have no stretches.
@@ -82,12 +82,24 @@ public:
   const std::vector<Halfedge>& halfedges() const { return m_halfedges; }
   const std::vector<Vertex>& vertices() const { return m_vertices; }
   const std::vector<Part>& lone_circles() const { return m_lone_circles; }
-  // Whether all fronts are resolved, and all halfedges have twins.
-  bool is_complete() const
+  // The parts of fronts that are not resolved, or that are resolved and have no twin.
+  std::vector<Front_range> unresolved_parts() const
   {
-    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return m_unmatched == 0 && m_graph.is_proved() && std::all_of(m_fronts.begin(), m_fronts.end(), [&](std::size_t f) { return !m_stretches[f].empty() && std::all_of(m_stretches[f].begin(), m_stretches[f].end(), is_resolved); });
+    std::vector<Front_range> result;
+    for (const std::size_t f : m_fronts) {
+      const std::vector<Disk_stretch>& stretches = m_stretches[f];
+      for (std::size_t i = 0; i <= stretches.size(); ++i)
+        if (stretches.empty() || (i > 0 && stretches[i - 1].events[1] == Disk_event::UNRESOLVED) || (i < stretches.size() && stretches[i].events[0] == Disk_event::UNRESOLVED))
+          result.push_back({f, {i > 0 ? stretches[i - 1].range.end : 0, i < stretches.size() ? stretches[i].range.begin : 1}});
+    }
+    for (const Halfedge& h : m_halfedges)
+      if (!is_at_infinity(h) && h.twin == none)
+        for (const Part& part : h.parts)
+          result.push_back({part.front, stretch(part).range});
+    return result;
   }
+
+  bool is_complete() const { return m_graph.is_proved() && unresolved_parts().empty(); }
 
   const Disk_stretch& stretch(const Part& part) const { return m_stretches[part.front][part.stretch]; }
   const Front& front(const Part& part) const { return m_graph.fronts()[part.front]; }
@@ -307,10 +319,8 @@ private:
       if (!is_at_infinity(m_halfedges[i]))
         m_halfedges[i].twin = twin_of(m_halfedges[i]);
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (std::size_t& twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i)) {
+      if (std::size_t& twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i))
         twin = none;   // so that no walk around a vertex goes into a cycle that it did not begin in
-        ++m_unmatched;
-      }
   }
 
   std::size_t twin_of(const Halfedge& h) const
