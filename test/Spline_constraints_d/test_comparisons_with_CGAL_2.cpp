@@ -41,15 +41,16 @@ void expect_vertices(const Diagram& diagram, const std::vector<P>& expected, std
     EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && distance(v.point, p) < 1e-6 * (1 + v.radius); })) << p;
 }
 
+// With decimal numbers, of which the control points of circles are not those of circles if they are rounded.
 TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
 {
   using Traits = CGAL::Apollonius_graph_traits_2<Double_kernel>;
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> sixteenths(48, 112), radii(8, 40);
+  std::uniform_int_distribution<int> hundredths(300, 700), radii(50, 250);
   Curves circles;
   CGAL::Apollonius_graph_2<Traits> graph;
   for (int i = 0; i < 5; ++i) {
-    const double x = 10 * (i % 2) + sixteenths(random) / 16.0, y = 10 * (i / 2) + sixteenths(random) / 16.0, radius = radii(random) / 16.0;
+    const double x = 10 * (i % 2) + hundredths(random) / 100.0, y = 10 * (i / 2) + hundredths(random) / 100.0, radius = radii(random) / 100.0;
     circles.push_back(SC::circle_curve(P(x, y), radius));
     graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
   }
