@@ -452,14 +452,14 @@ template <class Kernel, class Number>
 void expect_sum_of_valley_and_ellipse(const Number& h)
 {
   using Exact_point = typename Kernel::Point_2;
-  const auto number = [](int numerator, int denominator = 1) { return Number(numerator) / Number(denominator); };
+  const auto number = [](int numerator, int denominator = 1) { return Number(Number(numerator) / Number(denominator)); };
   const SC::Bspline_curve_2<Kernel> arc = SC::bezier_curve<Kernel>({Exact_point(2, 2), Exact_point(0, -2), Exact_point(-2, 2)}), frame = SC::polyline_curve<Kernel>({Exact_point(-2, 2), Exact_point(-2, -3), Exact_point(2, -3), Exact_point(2, 2)});
   const Number b = (number(1) + h) / number(4);
   const auto ellipse = SC::ellipse_curve(Exact_point(0, 0), typename Kernel::Vector_2(number(1, 2), 0), typename Kernel::Vector_2(0, b));
   const auto sum = SC::minkowski_sum(SC::planar_region(std::vector{arc, frame}), SC::planar_region(ellipse));
   EXPECT_TRUE(sum.is_complete());
   ASSERT_EQ(sum.boundaries().size(), 1U);
-  const double expected = SC::to_nearest_double(h > 0 ? SC::Exact_rational(b) : SC::Exact_rational(2 * b * b + number(1, 8)));
+  const double expected = SC::to_nearest_double(h > 0 ? SC::Exact_rational(b) : SC::Exact_rational(Number(2 * b * b + number(1, 8))));
   double nearest = 1, height = 0;   // of the points around x = 0
   for (std::size_t i = 0; i < sum.boundaries()[0].arcs.size(); ++i)
     for (const auto& sample : sum.polyline(0, i, 1e-5))

@@ -27,6 +27,15 @@ inline bool is_small_turn(const Exact_pair& p, const Exact_pair& q)
   return sine * sine < most * most * square;
 }
 
+// The second one of two nearly equal directions, scaled to about the length of the first one, and any other one as it is. So the normals of a small fan have one length, and its disks of one size one curvature.
+inline Exact_pair with_length_of(const Exact_pair& p, const Exact_pair& q)
+{
+  if (!is_small_turn(p, q))
+    return q;
+  const Exact_rational scale(CGAL::to_double(Exact_rational(exact_dot(p, p) / exact_dot(p, q))));
+  return {Exact_rational(scale * q[0]), Exact_rational(scale * q[1])};
+}
+
 // The outgoing direction of an end of an arc, also where its derivative is zero: the first derivative that is not zero, up to its length: from the end to the next control point that is another point, whatever the signs of their weights.
 inline Exact_pair outgoing_direction(const Exact_arc_2& arc, bool is_end)
 {

@@ -458,7 +458,7 @@ private:
       const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])}, to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
       const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
       std::size_t last = arriving(a);
-      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, n1); };
+      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, with_length_of(n0, n1)); };
       if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {   // the last case: all arcs leave in one direction
         if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
           const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
@@ -471,11 +471,8 @@ private:
     }
   }
 
-  // Normals of a small fan have about one length: so that the disks of one size in it have one curvature.
-  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& last)
+  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
-    const Exact_rational scale = is_small_turn(from, last) ? Exact_rational(CGAL::to_double(Exact_rational(exact_dot(from, from) / exact_dot(from, last)))) : Exact_rational(1);
-    const Exact_pair to{Exact_rational(scale * last[0]), Exact_rational(scale * last[1])};
     Front fan{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
