@@ -115,6 +115,13 @@ TEST(Circle_curve, is_a_circle_in_doubles)
     EXPECT_NEAR(CGAL::to_double(CGAL::squared_distance(circle(double(k)), Double_point_2(0.1, 0.2))), 0.09, 1e-16);
 }
 
+// Control points that are no finite numbers are refused, and the least numbers are as good as others.
+TEST(Circle_curve, at_the_ends_of_the_range_of_doubles)
+{
+  expect_invalid([] { SC::circle_curve(Double_point_2(1e308, 0.1), 1e308); }, "finite");
+  EXPECT_EQ(SC::circle_curve(Double_point_2(0, 1e-310), 3e-310).source(), Double_point_2(3e-310, 1e-310));
+}
+
 // From one point to the opposite one, where the sum of the directions is rounding only.
 TEST(Circular_arc_curve, half_circles_in_doubles)
 {

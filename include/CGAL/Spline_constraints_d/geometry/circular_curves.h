@@ -74,19 +74,24 @@ Bspline_curve<Exact_kernel, d> rounded_ellipse(const Point& center, const Vector
   using FT = typename Kernel::FT;
   if constexpr (std::is_floating_point_v<FT>) {
     Exact_rational greatest = 0;
-    bool is_exact = true;
-    for (int i = 0; i < d; ++i) {
+    for (int i = 0; i < d; ++i)
       greatest = (std::max)(greatest, Exact_rational(CGAL::abs(center[i]) + CGAL::abs(a[i]) + CGAL::abs(b[i])));
+    if (greatest > Exact_rational(static_cast<double>((std::numeric_limits<FT>::max)())))   // control points that are not finite are refused where they are rounded
+      return ellipse<d>(center, a, b);
+    bool is_exact = true;
+    for (int i = 0; i < d; ++i)
       for (const int m : {-1, 0, 1})
         for (const int n : {-1, 0, 1}) {
           const Exact_rational x(center[i] + m * a[i] + n * b[i]);
           is_exact = is_exact && x == rounded_for<Kernel>(x);
         }
-    }
-    const double unit = std::ldexp(1.0, std::ilogb(to_nearest_double(greatest)) + 2 - std::numeric_limits<FT>::digits);
-    const Vector c = center - CGAL::ORIGIN, x = is_exact ? a : rounded_to_multiples(a, Exact_rational(unit)), y = is_exact ? b : rounded_to_multiples(b, Exact_rational(unit));
-    if (!is_exact && !are_parallel(x, y))
-      return ellipse<d>(CGAL::ORIGIN + rounded_to_multiples(c, Exact_rational(unit)), x, y);
+    const double power = std::ldexp(1.0, std::ilogb(to_nearest_double(greatest)) + 2 - std::numeric_limits<FT>::digits);
+    if (is_exact || !(power > 0))
+      return ellipse<d>(center, a, b);
+    const Exact_rational unit(power);
+    const Vector c = center - CGAL::ORIGIN, x = rounded_to_multiples(a, unit), y = rounded_to_multiples(b, unit);
+    if (!are_parallel(x, y))
+      return ellipse<d>(CGAL::ORIGIN + rounded_to_multiples(c, unit), x, y);
   }
   return ellipse<d>(center, a, b);
 }
