@@ -145,7 +145,7 @@ private:
     const double radius = middle(disk.radius);
     const bool is_vertex = part.contact.kind == internal::Disk_contact::Kind::VERTEX;
     return {internal::kernel_object<Kernel, Point>(std::array<double, 2>{middle(disk.center[0]), middle(disk.center[1])}), in_order(radius, m_factor * radius),
-            in_order(curve_parameter(front.is_fan, front.object, u), curve_parameter(is_vertex, part.contact.index, disk.other_range.middle()))};
+            in_order(curve_parameter(front.is_fan, front.object, u), curve_parameter(is_vertex, part.contact.index, disk.parameter))};
   }
 
   Arc arc_of(const std::vector<Part>& parts) const

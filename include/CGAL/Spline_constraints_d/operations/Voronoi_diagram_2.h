@@ -113,7 +113,6 @@ private:
 
   std::shared_ptr<const internal::Site_graph_2> m_graph;
   std::shared_ptr<const internal::Disk_diagram> m_diagram;
-  std::shared_ptr<const internal::Fine_level> m_fine_level;   // of the graph
   internal::Site_tree_2 m_tree;
   std::vector<Site> m_sites;
   std::vector<Vertex> m_vertices;
@@ -123,7 +122,7 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_fine_level(std::make_shared<internal::Fine_level>(*m_graph)), m_tree(*m_graph)
+  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph)
   {
     const Upward_rounding_guard guard;
     make_sites();
@@ -193,7 +192,7 @@ public:
   std::vector<std::size_t> nearest_sites(const Point& point) const
   {
     const Upward_rounding_guard guard;
-    return internal::nearest_sites(*m_graph, m_tree, *m_fine_level, {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+    return internal::nearest_sites(*m_graph, m_tree, *m_diagram->fine_level(), {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
   }
 
 private:
@@ -264,12 +263,12 @@ private:
   Sample sample(const Part& part, double u) const
   {
     const internal::Front& front = m_diagram->front(part);
-    const internal::Disk_diagram::Disk disk = m_diagram->estimated_disk(part, u);
+    const internal::Stretch_disks::Disk disk = m_diagram->estimated_disk(part, u);
     const internal::Front_jet x = m_graph->front_jet(front, {u, u});
     const internal::Disk_contact& contact = m_diagram->stretch(part).contact;
     const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);
-    const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.other_range.middle())};
-    if (!std::isfinite(disk.curvature.inf())) {   // a corner: if that is certain, the same point for all arcs that end there
+    const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.parameter)};
+    if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf())) {   // a corner: if that is certain, the same point for all arcs that end there
       const internal::Interval_pair& corner = std::isfinite(middle(disk.center[0])) ? disk.center : x.point;
       return {point(middle(corner[0]), middle(corner[1])), 0, parameters};
     }

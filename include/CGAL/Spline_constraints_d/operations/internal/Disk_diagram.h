@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/undecided_parts.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -55,10 +56,9 @@ public:
   };
 
 private:
-  static constexpr double most_error = 1e-10;   // of radii that are reported, relative
-
   const Site_graph_2& m_graph;
-  Disk_curvature m_curvature;
+  std::shared_ptr<const Fine_level> m_fine_level;   // of the graph
+  Stretch_disks m_disks;
   std::vector<std::size_t> m_fronts;                       // those it is made of
   std::vector<std::vector<Disk_stretch>> m_stretches;      // of each front
   std::vector<std::vector<std::size_t>> m_halfedges_of;    // of each front, for each stretch
@@ -68,8 +68,8 @@ private:
 
 public:
   // The fronts are all, or those of some cycles; others have no stretches.
-  Disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts, std::vector<std::vector<Disk_stretch>> stretches)
-    : m_graph(graph), m_curvature(graph), m_fronts(std::move(fronts)), m_stretches(std::move(stretches))
+  Disk_diagram(const Site_graph_2& graph, std::shared_ptr<const Fine_level> fine_level, std::vector<std::size_t> fronts, std::vector<std::vector<Disk_stretch>> stretches)
+    : m_graph(graph), m_fine_level(std::move(fine_level)), m_disks(graph, Disk_curvature(graph), *m_fine_level), m_fronts(std::move(fronts)), m_stretches(std::move(stretches))
   {
     const Upward_rounding_guard guard;
     for (const auto& stretches : m_stretches)
@@ -110,134 +110,12 @@ public:
   // The parameter where a part begins or ends.
   double end_parameter(const Part& part, bool end) const { return end != front(part).is_reversed ? stretch(part).range.end : stretch(part).range.begin; }
 
-  // The disk that touches the front in a point: its center, its radius, and the parameter of its other contact. Infinite where it is a half-plane.
-  struct Disk
-  {
-    Interval_pair center;
-    Interval curvature;   // 1 / radius, in units of the length of the normal
-    Range other_range;    // of an arc, with the parameter there
-  };
+  const std::shared_ptr<const Fine_level>& fine_level() const { return m_fine_level; }
 
-  Disk disk(const Part& part, double u) const
-  {
-    const Front_part point = m_curvature.part(part.front, {u, u});
-    const Attained_curvature k = stretch(part).corner ? curvature_in_corner(stretch(part), u) : largest_curvature(m_graph, m_curvature, point, stretch(part).located(u));
-    const Interval_pair &x = point.jet.point, &n = point.jet.normal;
-    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
-  }
-
-  // The same up to rounding, also near the ends of arcs; where arcs join smoothly, the disk has the greater one of their curvatures. Not finite in corners.
-  Disk estimated_disk(const Part& part, double u) const
-  {
-    if (const auto corner = disk_in_corner(part, u))
-      return *corner;
-    const Disk result = disk(part, u);
-    const Disk_contact& contact = stretch(part).contact;
-    if (contact.kind != Disk_contact::Kind::ARC)
-      return result;
-    const Front_part point = m_curvature.part(part.front, {u, u});
-    const auto width = [](const Interval& k) { return k.sup() - k.inf(); };
-    Attained_curvature k{result.curvature, result.other_range};
-    if (!stretch(part).corner) {
-      const double v = result.other_range.middle();
-      const Interval at_middle = m_curvature(point, contact.index, {v, v}, m_graph.arcs()[contact.index].jet({v, v})).value;
-      if (width(at_middle) < width(k.curvature))
-        k.curvature = at_middle;
-    }
-    if (const auto nearly = curvature_at_nearly_smooth_joint(part, u, k))
-      k = *nearly;
-    if (const auto joint = greatest_curvature_at_joint(point, stretch(part).located(u)); joint && (front(part).is_fan || !(k.curvature.inf() > joint->curvature.inf())))
-      k = *joint;
-    const Interval_pair &x = point.jet.point, &n = point.jet.normal;
-    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range};
-  }
+  // See Stretch_disks.
+  Stretch_disks::Disk estimated_disk(const Part& part, double u) const { return m_disks.estimated(part.front, stretch(part), u); }
 
 private:
-  // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, or where one of both has infinite curvature, there is only the point.
-  std::optional<Disk> disk_in_corner(const Part& part, double u) const
-  {
-    if ((u != 0 && u != 1) || stretch(part).contact.kind != Disk_contact::Kind::ARC)
-      return std::nullopt;
-    const bool is_fan = front(part).is_fan;
-    const Arc_end own{front(part).object, u == 1};
-    const Site_graph_2::Vertex& vertex = m_graph.vertices()[is_fan ? front(part).object : m_graph.vertex_of(own)];
-    const Interval_pair normal = m_graph.front_jet(front(part), {u, u}).normal;
-    const std::optional<Arc_end> across = is_fan ? std::nullopt : m_graph.across_cusp(front(part), own);
-    for (const Arc_end& end : vertex.ends) {
-      const double v = end.parameter();
-      if (end.arc != stretch(part).contact.index)
-        continue;
-      const int side = certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].direction_over({v, v})));
-      const bool is_corner = !is_fan && (end == across || side > 0), is_round = side == 0 && stretch(part).located(u).range.meets({v, v}) && (is_bent_infinitely(normal, end) || (!is_fan && is_bent_infinitely(normal, own)));
-      if (is_corner || is_round)
-        return Disk{vertex.point, any_number(), {v, v}};
-    }
-    return std::nullopt;
-  }
-
-  // Whether an arc has infinite curvature in an end, toward the side of the normal.
-  bool is_bent_infinitely(const Interval_pair& normal, const Arc_end& end) const
-  {
-    return !m_graph.is_regular(end) && dot(normal, m_graph.arcs()[end.arc].tangent_jet({end.parameter(), end.parameter()})[1]).inf() > 0;
-  }
-
-  // That of the disk that touches a front in a point and passes through a point of an arc.
-  std::optional<Interval> exact_curvature(const Front& front, double u, std::size_t arc, double v) const
-  {
-    const Exact_pair x = front.is_fan ? m_graph.vertices()[front.object].exact_point : m_graph.arcs()[front.object].at(u), y = m_graph.arcs()[arc].at(v), d{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
-    const Exact_rational square = exact_dot(d, d);
-    return sign_of(square) == 0 ? std::nullopt : std::optional(interval_of(Exact_rational(2 * exact_dot(m_graph.exact_normal(front, Exact_rational(u)), d) / square)));
-  }
-
-  // Next to a nearly smooth joint, where a curvature is not accurate: in the corner itself it is not finite, elsewhere the greatest one at some points of the other arc is taken, exactly. Disks in the corner touch it at about the same distance as the front.
-  std::optional<Attained_curvature> curvature_at_nearly_smooth_joint(const Part& part, double u, const Attained_curvature& known) const
-  {
-    const bool is_end = u > 0.5;
-    const Arc_end own{front(part).object, is_end};
-    const auto* next = front(part).is_fan || !m_graph.nearly_smooth_continuation(own) ? nullptr : &*m_graph.nearly_smooth_continuation(own);
-    const std::size_t other = stretch(part).contact.index;
-    const Interval& k = known.curvature;
-    if (next == nullptr || next->end.arc != other || (std::isfinite(k.sup() - k.inf()) && k.sup() - k.inf() <= most_error * k.sup()))
-      return std::nullopt;
-    const double distance = (std::min)(std::abs(u - own.parameter()) * next->scale, 1.0), opposite = next->end.is_end ? 1 - distance : distance;
-    Attained_curvature result{any_number(), {opposite, opposite}};
-    if (distance > 0 && !stretch(part).corner)
-      for (const double v : {opposite, known.range.middle()})
-        if (const auto exact = exact_curvature(front(part), u, other, v); exact && !(result.curvature.inf() > exact->inf()))
-          result = {*exact, {v, v}};
-    return result;
-  }
-
-  // In the corner of a pocket there is no disk; the other end of the stretch has one. Between, nothing can be told.
-  static Attained_curvature curvature_in_corner(const Disk_stretch& stretch, double u)
-  {
-    const double event = stretch.corner->is_end ? stretch.range.begin : stretch.range.end;
-    return {u == event ? stretch.corner->curvature : any_number(), stretch.boxes.front().second.range};
-  }
-
-  // Of the front and of another arc, in the point where they join; of an arc alone if the front is a small fan between two, where the contact is next to the vertex.
-  std::optional<Attained_curvature> greatest_curvature_at_joint(const Front_part& point, const Located_contact& located) const
-  {
-    const Front& front = m_graph.fronts()[point.front];
-    const std::size_t other = located.contact.index;
-    const auto curvature = [&](const Arc_end& end) {
-      const Curve_jet x = m_graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 2);
-      return dot(point.jet.normal, x[2]) / squared_norm(x[1]);
-    };
-    if (m_graph.is_in_nearly_smooth_joint(front))
-      for (const Arc_end& end : m_graph.vertices()[front.object].ends)
-        if (end.arc == other && located.range.meets({end.parameter(), end.parameter()}))
-          return Attained_curvature{curvature(end), {end.parameter(), end.parameter()}};
-    if (front.is_fan || !point.range.is_number())
-      return std::nullopt;
-    const Arc_end own{front.object, point.range.begin == 1};
-    const auto next = m_graph.end_after(own);
-    if (point.range.begin != own.parameter() || !next || next->arc != other || !located.range.meets({next->parameter(), next->parameter()}) || m_graph.is_pocket(front, own))
-      return std::nullopt;
-    const Interval a = curvature(own), b = curvature(*next);
-    return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};
-  }
-
   // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.
   template <class Visit>
   bool traverse(std::size_t first, std::vector<char>& is_visited, const Visit& visit) const
@@ -329,16 +207,14 @@ private:
       const std::size_t other = stretch(part).corner->is_end != front(part).is_reversed ? h.next : h.previous;
       return is_contact_with(contact(m_halfedges[other]), front(part)) && is_contact_with(contact(h), front(m_halfedges[other])) ? other : none;
     }
-    for (const Part& part : h.parts)
-      for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
-        const Range& range = stretch(part).range;
-        const Disk d = disk(part, range.begin + share * range.width());
-        const auto touched = touched_front(m_graph, stretch(part).contact, d.other_range, d.center);
-        if (!touched)
-          continue;
-        if (const std::size_t twin = halfedge_at(*touched, front(part)); twin != none)
-          return twin;
-      }
+    for (const bool is_fine : {false, true})
+      for (const Part& part : h.parts)
+        for (const double share : {0.5, 0.40625, 0.59375, 0.25, 0.75, 0.125, 0.875}) {
+          const Range& range = stretch(part).range;
+          const auto touched = m_disks.touched_front(part.front, stretch(part), range.begin + share * range.width(), is_fine);
+          if (const std::size_t twin = touched ? halfedge_at(*touched, front(part)) : none; twin != none)
+            return twin;
+        }
     for (const Part& part : h.parts)
       if (const std::size_t twin = twin_at_tip(part); twin != none)
         return twin;
@@ -429,13 +305,13 @@ Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fr
 {
   const Site_tree_2 tree(graph);
   const Cusps_2 cusps = Cusp_finder_2(graph, tree)();
-  const Fine_level fine_level(graph);
+  const auto fine_level = std::make_shared<const Fine_level>(graph);
   std::vector<std::vector<Disk_stretch>> stretches(graph.fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(graph, tree, cusps, &fine_level)(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(graph, tree, cusps, fine_level.get())(fronts[i]);
   });
-  return Disk_diagram(graph, std::move(fronts), std::move(stretches));
+  return Disk_diagram(graph, fine_level, std::move(fronts), std::move(stretches));
 }
 
 } // namespace internal

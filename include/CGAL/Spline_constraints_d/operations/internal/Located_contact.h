@@ -11,6 +11,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -55,17 +58,18 @@ struct Located_contact
   Corner_of_disks corner{};
 };
 
-// The curvature of a disk, and for contacts in an arc a range that holds the parameter there.
+// The curvature of a disk, and for contacts in an arc a range that holds the parameter there, and one with the greatest curvature that is known.
 template <Enclosing_number Interval>
 struct Basic_attained_curvature
 {
   Interval curvature;
   Range range{};
+  double parameter = range.middle();
 };
 
 using Attained_curvature = Basic_attained_curvature<Interval>;
 
-// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. At the ends of the range that is returned it does so for certain.
+// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is returned, but for those of the whole range.
 template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
@@ -86,38 +90,52 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
   }
   for (double width = 0x1p-51; width < 1; width *= 16) {
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
-    if (!(at({around.begin, around.begin}).dv.inf() > 0 && at({around.end, around.end}).dv.sup() < 0))
+    const bool grows_before = around.begin == range.begin || at({around.begin, around.begin}).dv.inf() > 0, falls_behind = around.end == range.end || at({around.end, around.end}).dv.sup() < 0;
+    if (!grows_before || !falls_behind)
       continue;
     const auto k = at(around), here = at({v, v});
     const Interval step = interval_of<Interval>(around) - Interval(v);
     Interval greatest = common_part(k.value, here.value + k.factor * k.dv * step);
     if (k.dvv.sup() < 0)   // a concave function is below its tangents, and below the parabola with the least second derivative; else k_v is as much as m times the derivative of such a function
       greatest = common_part(greatest, here.value + k.factor * common_part(hull(Interval(0), here.dv * step), Interval(0, (CGAL::square(here.dv) / (Interval(-2) * k.dvv)).sup())));
-    return {greatest, around};
+    return {greatest, around, v};
   }
   return {any_number<Interval>(), {v, v}};
 }
 
-// Where there may be others that are too low: the part of a range around the best of some points, which are dense near its ends.
-template <class Curvature_at>
-Range range_of_greatest_curvature(const Curvature_at& at, const Range& range)
+// Branch and bound: the greatest curvature in a range, if it is not less than some number, and a range that holds its parameters: no longer divided where it is known to have one maximum in the inside, or is shorter than doubles tell, or in too many pieces.
+template <Enclosing_number Interval, class Curvature_at>
+Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
 {
-  constexpr int steps = 50;
-  std::array<double, 2 * steps + 1> points;
-  for (int i = 1; i <= steps; ++i) {
-    points[steps + 1 - i] = range.begin + range.width() * std::exp2(-i);
-    points[steps - 1 + i] = range.end - range.width() * std::exp2(-i);
-  }
-  points.front() = range.begin;
-  points.back() = range.end;
-  std::size_t best = 1;
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (const double k = at({points[i], points[i]}).value.inf(); k > greatest) {
-      greatest = k;
-      best = i;
+  constexpr std::size_t most_pieces = 16;
+  constexpr double least_width = 0x1p-50;
+  std::vector<Range> pieces{range};
+  double best = range.middle();
+  const auto add = [&](double v) {
+    if (const double bound = at({v, v}).value.inf(); bound > least)
+      std::tie(least, best) = std::pair(bound, v);
+  };
+  const auto all = [&] { return Range{pieces.front().begin, pieces.back().end}; };
+  const auto slope_at = [&](double v) { return at({v, v}).dv; };
+  const auto has_one_maximum = [&](const Range& r) { return at(r).dvv.sup() < 0 && slope_at(r.begin).inf() > 0 && slope_at(r.end).sup() < 0; };
+  while (pieces.size() < most_pieces && all().width() > least_width && !has_one_maximum(all())) {
+    std::vector<Range> halves;
+    for (const Range& piece : pieces) {
+      const double middle = piece.middle();
+      add(middle);
+      halves.insert(halves.end(), {{piece.begin, middle}, {middle, piece.end}});
     }
-  return {points[best - 1], points[best + 1]};
+    std::erase_if(halves, [&](const Range& half) { return at(half).value.sup() < least; });
+    if (halves.empty())
+      break;
+    pieces = std::move(halves);
+  }
+  add(maximal_curvature<Interval>(at, all()).parameter);
+  double most = least;
+  for (const Range& piece : pieces)
+    if (const double bound = at(piece).value.sup(); !(bound <= most))
+      most = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
+  return {Interval(least, most), all(), best};
 }
 
 // The only maximum of the curvature in a range of an arc that is not too low.
@@ -126,13 +144,13 @@ Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc
 {
   const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
   const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
-  const auto is_high = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least; };
+  const auto is_known = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf()); };
   Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
-  if (!is_high(result))
-    result = maximal_curvature<Interval>(at, range_of_greatest_curvature(at, located.range));
-  if (!is_high(result))
-    result.curvature = Interval(least, std::numeric_limits<double>::infinity());
-  return result;
+  if (is_known(result))
+    return result;
+  const Basic_attained_curvature<Interval> bounded = bounded_curvature<Interval>(at, located.range, least);
+  result = maximal_curvature<Interval>(at, bounded.range);
+  return is_known(result) ? result : bounded;
 }
 
 // The curvature of the disk that touches a front in one point, and a contact.

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 
 #include <algorithm>
@@ -43,14 +43,16 @@ public:
 private:
   std::shared_ptr<const Site_graph_2> m_graph;
   std::shared_ptr<const Scaled_sites> m_scaled;
+  std::shared_ptr<const Fine_level> m_fine_level;   // of both
   Disk_curvature m_curvature;
+  Stretch_disks m_disks;
   std::vector<std::vector<Disk_stretch>> m_stretches;   // of each front
   Free_chains m_free;
 
 public:
   // With the stretches of the fronts of A.
-  Sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, const std::vector<std::size_t>& fronts, std::vector<std::vector<Disk_stretch>> stretches)
-    : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_curvature(*m_graph, m_scaled.get()), m_stretches(std::move(stretches)), m_free(free_chains(fronts))
+  Sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared_ptr<const Scaled_sites> scaled, std::shared_ptr<const Fine_level> fine_level, const std::vector<std::size_t>& fronts, std::vector<std::vector<Disk_stretch>> stretches)
+    : m_graph(std::move(graph)), m_scaled(std::move(scaled)), m_fine_level(std::move(fine_level)), m_curvature(*m_graph, m_scaled.get()), m_disks(*m_graph, m_curvature, *m_fine_level), m_stretches(std::move(stretches)), m_free(free_chains(fronts))
   {}
 
   const Site_graph_2& graph() const { return *m_graph; }
@@ -79,17 +81,16 @@ public:
   {
     Interval_pair center;
     Interval radius;
-    Range other_range;   // with the parameter of the contact, if that is an arc
+    double parameter;   // of the contact, if that is an arc
   };
 
-  // The disk of an arc that touches the front in a point; up to rounding, also where the contact arrives at the end of its arc.
+  // The disk of an arc that touches the front in a point, up to rounding.
   Disk disk(const Arc& arc, double u) const
   {
-    const Front_part point = m_curvature.part(arc.front, {u, u});
-    Attained_curvature k = largest_curvature(*m_graph, m_curvature, point, m_stretches[arc.front][arc.stretch].located(u));
-    if (const double v = k.range.middle(); arc.contact.kind == Disk_contact::Kind::ARC && !std::isfinite(k.curvature.sup() - k.curvature.inf()))
-      k.curvature = m_curvature(point, arc.contact.index, {v, v}, m_graph->arcs()[arc.contact.index].jet({v, v})).value;
-    return {center(point, k.curvature), CGAL::sqrt(squared_norm(point.jet.normal)) / k.curvature, k.range};
+    const Stretch_disks::Disk disk = m_disks(arc.front, m_stretches[arc.front][arc.stretch], u);
+    if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf()))   // where A and B meet
+      return {m_graph->front_jet(front(arc), {u, u}).point, Interval(0), disk.parameter};
+    return {disk.center, CGAL::sqrt(squared_norm(m_graph->front_jet(front(arc), {u, u}).normal)) / disk.curvature, disk.parameter};
   }
 
 private:
@@ -168,13 +169,13 @@ Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared
   check_magnitude(*graph, "trimmed_alpha_sector");
   const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature curvature(*graph, scaled.get());
-  const Fine_level fine_level(*graph, scaled.get());
+  const auto fine_level = std::make_shared<const Fine_level>(*graph, scaled.get());
   std::vector<std::vector<Disk_stretch>> stretches(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature, nullptr, &fine_level)(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature, nullptr, fine_level.get())(fronts[i]);
   });
-  return Sector_disks(std::move(graph), std::move(scaled), fronts, std::move(stretches));
+  return Sector_disks(std::move(graph), std::move(scaled), fine_level, fronts, std::move(stretches));
 }
 
 } // namespace internal

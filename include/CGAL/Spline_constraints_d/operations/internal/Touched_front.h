@@ -22,21 +22,23 @@ struct Touched_front
 };
 
 // Whether the disks of a contact may touch a front.
-inline bool is_contact_with(const Disk_contact& contact, const Front& front)
+template <Enclosing_number Interval>
+bool is_contact_with(const Disk_contact& contact, const Basic_front<Interval>& front)
 {
   return contact.index == front.object && contact.kind == (front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC);
 }
 
 // The front of a contact: the side of the arc on which the center of the disk is, or the only fan of the vertex that may have the normal towards it; nothing if that is not certain. The range is that of the parameter of an arc.
-inline std::optional<Touched_front> touched_front(const Site_graph_2& graph, const Disk_contact& contact, const Range& range, const Interval_pair& center)
+template <Enclosing_number Interval>
+std::optional<Touched_front> touched_front(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact, const Range& range, const std::array<Interval, 2>& center)
 {
   if (contact.kind == Disk_contact::Kind::ARC) {
-    const Site_arc_2& arc = graph.arcs()[contact.index];
+    const Basic_site_arc_2<Interval>& arc = graph.arcs()[contact.index];
     const int side = certain_sign(dot(turned_left(arc.direction_over(range)), center - arc.point(range)));
     return side == 0 ? std::nullopt : std::optional(Touched_front{2 * contact.index + (side < 0), range});
   }
-  const Site_graph_2::Vertex& vertex = graph.vertices()[contact.index];
-  const Interval_pair way = center - vertex.point;
+  const auto& vertex = graph.vertices()[contact.index];
+  const std::array<Interval, 2> way = center - vertex.point;
   std::optional<Touched_front> result;
   for (const std::size_t fan : vertex.fans) {
     const auto& [from, to] = graph.fronts()[fan].normals;
