@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // Complete diagrams with some number of edges that go to infinity: one for each segment between curves on the boundary of their convex hull.
@@ -42,6 +43,52 @@ TEST(LinesAtInfinity, TangentsInJoints)
   Curves curves = parabola;
   curves.push_back(half_parabola(P(4, 0), 1));
   expect_far_edges(curves, 3);
+}
+
+// A box with corners of parabolas, on the axis.
+Curves rounded_box(double x)
+{
+  const auto corner = [](const P& from, const P& to, const P& by) { return bezier({from, by, to}); };
+  return {bezier({P(x + 0.5, 0), P(x + 1.5, 0)}), corner(P(x + 1.5, 0), P(x + 2, 0.5), P(x + 2, 0)), bezier({P(x + 2, 0.5), P(x + 2, 1.5)}), corner(P(x + 2, 1.5), P(x + 1.5, 2), P(x + 2, 2)),
+          bezier({P(x + 1.5, 2), P(x + 0.5, 2)}), corner(P(x + 0.5, 2), P(x, 1.5), P(x, 2)), bezier({P(x, 1.5), P(x, 0.5)}), corner(P(x, 0.5), P(x + 0.5, 0), P(x, 0))};
+}
+
+// Turned, and five times as large.
+Curves turned(const Curves& curves)
+{
+  Curves result;
+  for (const Curve& curve : curves) {
+    std::vector<P> points;
+    for (const P& p : curve.control_points())
+      points.emplace_back(3 * p.x() - 4 * p.y(), 4 * p.x() + 3 * p.y());
+    result.push_back(bezier(points));
+  }
+  return result;
+}
+
+// As drawings are: all on one line, which y = x^2 touches inside of an arc.
+TEST(LinesAtInfinity, SegmentsOnTangents)
+{
+  const Curve parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)});
+  const auto segment = [](double from, double to) { return bezier({P(from, 0), P(to, 0)}); };
+  const auto with = [&](const std::vector<Curves>& others) {
+    Curves result{parabola};
+    for (const Curves& curves : others)
+      result.insert(result.end(), curves.begin(), curves.end());
+    return result;
+  };
+  const std::vector<std::pair<Curves, std::size_t>> scenes{
+    {with({{segment(3, 5)}}), 3},
+    {with({{segment(3, 5), segment(6, 7), segment(-3, -2)}}), 6},
+    {with({{segment(3, 5), bezier({P(5, 0), P(5, 2)}), bezier({P(5, 2), P(3, 2)}), bezier({P(3, 2), P(3, 0)})}}), 2},
+    {with({{segment(3, 4), bezier({P(4, 0), P(5, 0), P(6, 1)})}}), 3},
+    {with({{segment(4, 3), bezier({P(4, 0), P(5, 0), P(6, 1)}), bezier({P(8, 1), P(9, -1), P(10, 1)})}}), 6},
+    {with({rounded_box(3)}), 2},
+    {with({rounded_box(3), rounded_box(-5)}), 3}};
+  for (const auto& [curves, number] : scenes) {
+    expect_far_edges(curves, number);
+    expect_far_edges(turned(curves), number);
+  }
 }
 
 // The axis touches the curve y = -3 (x^2 - 2)^2 at the roots of 2, and the end of another one.

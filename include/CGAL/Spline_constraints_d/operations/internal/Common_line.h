@@ -18,7 +18,7 @@ namespace internal {
 /*
 A half-plane whose border is a line with rational coefficients, which touches a front and several contacts at once: it is the tangent in an end of an arc, or goes through two vertices, or belongs to the simplest parameter of the front.
 
-The half-plane of X(u) has Y(v) on its border and is tangent to the arc there where k = 0 and k_v = 0. So a vertex is touched if it is on the line, and the end of an arc in which the contact goes over to the vertex or to the next arc, if the line is the tangent there. Any other arc is touched where a polynomial,
+The half-plane of X(u) has Y(v) on its border and is tangent to the arc there where k = 0 and k_v = 0. So a vertex is touched if it is on the line, and the end of an arc, in which the contact may go over to the vertex or to the next arc, if the line is the tangent there. Any other arc is touched where a polynomial,
 the distance of its points from the line times a constant and the weight, has a multiple root; its branch has one maximum, which is that point if it holds it.
 */
 template <Enclosing_number Interval>
@@ -95,13 +95,18 @@ private:
 
   bool touches(const Line& line, const Disk_branch& branch) const
   {
-    if (branch.move) {
-      const Arc_end end = end_of_move(branch);
-      return m_graph.is_exact(end) && line.holds(m_graph.arcs()[end.arc].at(end.is_end)) && sign_of(exact_cross(line.direction, m_graph.direction(end))) == 0;
-    }
+    if (branch.move)
+      return is_tangent_in(line, end_of_move(branch));
     if (branch.contact.kind == Disk_contact::Kind::VERTEX)
       return is_exact_vertex(m_graph, branch.contact) && line.holds(m_graph.vertices()[branch.contact.index].exact_point);
-    return is_exact_arc(m_graph, branch.contact) && touches_line(m_graph.arcs()[branch.contact.index], branch.range, line.point, line.direction) && is_only_maximum(m_graph, m_curvature, m_part, {branch.contact, branch.range}, branch);
+    const std::size_t arc = branch.contact.index;
+    const auto touches_end = [&](bool is_end) { return branch.range.meets({is_end ? 1.0 : 0.0, is_end ? 1.0 : 0.0}) && is_tangent_in(line, {arc, is_end}); };
+    return is_exact_arc(m_graph, branch.contact) && (touches_line(m_graph.arcs()[arc], branch.range, line.point, line.direction) || touches_end(false) || touches_end(true)) && is_only_maximum(m_graph, m_curvature, m_part, {branch.contact, branch.range}, branch);
+  }
+
+  bool is_tangent_in(const Line& line, const Arc_end& end) const
+  {
+    return m_graph.is_exact(end) && line.holds(m_graph.arcs()[end.arc].at(end.is_end)) && sign_of(exact_cross(line.direction, m_graph.direction(end))) == 0;
   }
 };
 

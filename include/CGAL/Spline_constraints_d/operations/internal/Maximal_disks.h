@@ -12,6 +12,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_contacts.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Front_tangent.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Mirrored_disk.h>
 
 #include <algorithm>
@@ -72,6 +73,7 @@ class Basic_maximal_disks
   using Common_line = Basic_common_line<Interval>;
   using Corner_pocket = Basic_corner_pocket<Interval>;
   using Corner_tip = Basic_corner_tip<Interval>;
+  using Front_tangent = Basic_front_tangent<Interval>;
   using Mirrored_disk = Basic_mirrored_disk<Interval>;
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
@@ -155,12 +157,16 @@ private:
   void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
   {
     const Front_part part = m_curvature.part(front, range);
+    if (range.width() < exact_width && m_curvature.scaled_sites() == nullptr)
+      Front_tangent(m_graph, part).replace_segments(candidates);
     const double least = m_candidates.prune(part, candidates, m_slopes->attained_curvature(range));
     const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
     if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
       append({}, range);
       return;
     }
+    if (!(least > 0) && m_curvature.scaled_sites() == nullptr)
+      Front_tangent(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
     const bool is_last = range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
