@@ -165,15 +165,12 @@ void add_circles_within(std::vector<Nested_circle>& circles, std::size_t parent,
 // Circles come as near to those around them as 1e-4.
 TEST(parts_of_minkowski_sums_2, thin_walls)
 {
+  constexpr double wall = 1e-4;
   std::mt19937 random(7);
-  std::size_t number = 0;
-  for (const double wall : {1e-4}) {
-    std::vector<Nested_circle> circles{{Point(0, 0), 16, {}, 0}};
-    add_circles_within(circles, 0, wall, random);
-    number += circles.size();
-    expect_parts(SC::minkowski_sum(region_of(circles), SC::planar_region(SC::circle_curve(Point(0, 0), wall / 4))), circles, wall / 4);
-  }
-  EXPECT_GT(number, 6U);
+  std::vector<Nested_circle> circles{{Point(0, 0), 16, {}, 0}};
+  add_circles_within(circles, 0, wall, random);
+  EXPECT_GT(circles.size(), 6U);
+  expect_parts(SC::minkowski_sum(region_of(circles), SC::planar_region(SC::circle_curve(Point(0, 0), wall / 4))), circles, wall / 4);
 }
 
 } // namespace
