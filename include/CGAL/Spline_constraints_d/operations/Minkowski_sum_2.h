@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_boundary_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_2.h>
@@ -53,6 +54,7 @@ public:
     std::vector<Arc> arcs;   ///< in order; each begins where the one before ends
     bool is_closed;          ///< whether the last arc ends where the first one begins; false only where something is not decided
     bool is_hole;            ///< whether it is clockwise, as is proved by bounds of the area
+    std::size_t outer;       ///< the index of the outer boundary of the same part of the sum, as is proved by winding numbers; if it is not known, no index
   };
 
 private:
@@ -131,7 +133,7 @@ public:
   }
 
   /*!
-  polygons next to the sum: the closed boundaries as polylines, holes with the innermost polygon that they are in. Boundaries that are not closed are left out, and holes of those. Boundaries that touch themselves do so in a point
+  polygons next to the sum, one for each part: the boundaries as polylines. Those that are not closed, or whose outer boundary is not known, are left out. Boundaries that touch themselves do so in a point
   that is a vertex of the polygon twice, up to rounding.
   \param error the error of the polylines, as of `polyline()`, up to rounding in vertices between arcs; positive. They do not meet otherwise if it is small enough.
   \throws Invalid_input when the error is not positive.
@@ -140,27 +142,12 @@ public:
   {
     internal::check_error(error, "Minkowski_sum_2");
     const Upward_rounding_guard guard;
-    std::vector<CGAL::Polygon_with_holes_2<Kernel>> result;
-    std::vector<CGAL::Polygon_2<Kernel>> holes;
-    for (std::size_t i = 0; i < m_boundaries.size(); ++i)
-      if (m_boundaries[i].is_closed) {
-        CGAL::Polygon_2<Kernel> polygon;
-        for (const auto& p : points_along(m_model->boundary.chains()[i], error))
-          polygon.push_back(internal::kernel_object<Kernel, Point>(p));
-        if (m_boundaries[i].is_hole)
-          holes.push_back(std::move(polygon));
-        else
-          result.emplace_back(std::move(polygon));
-      }
-    for (const CGAL::Polygon_2<Kernel>& hole : holes) {   // others may be around the innermost one
-      auto around = result.end();
-      for (auto polygon = result.begin(); polygon != result.end(); ++polygon)
-        if (polygon->outer_boundary().bounded_side(hole[0]) == CGAL::ON_BOUNDED_SIDE && (around == result.end() || polygon->outer_boundary().area() < around->outer_boundary().area()))
-          around = polygon;
-      if (around != result.end())
-        around->add_hole(hole);
-    }
-    return result;
+    return internal::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(m_boundaries, [&](std::size_t b) {
+      CGAL::Polygon_2<Kernel> polygon;
+      for (const auto& p : points_along(m_model->boundary.chains()[b], error))
+        polygon.push_back(internal::kernel_object<Kernel, Point>(p));
+      return polygon;
+    });
   }
 
 private:
@@ -177,7 +164,7 @@ private:
 
   Boundary boundary(const Chain& chain) const
   {
-    Boundary result{{}, chain.is_closed, chain.is_clockwise};
+    Boundary result{{}, chain.is_closed, chain.is_hole, chain.outer};
     for (const Section& section : chain.sections) {
       Arc arc;
       for (std::size_t k = 0; k < 2; ++k) {

@@ -19,7 +19,6 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <iterator>
 #include <ranges>
 #include <utility>
 #include <vector>
@@ -88,7 +87,7 @@ public:
     for (std::size_t i = 0; i < m_curves.size(); ++i)
       pieces.push_back(internal::boundary_pieces(m_curves[i], i));
     make_boundaries(internal::Simple_rings_2(std::move(pieces), options));
-    find_outer_boundaries();
+    internal::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) { return m_loops[i].winding_number(m_loops[k].inner_point()) != 0; });
   }
 
   //! the curves, as they were given.
@@ -176,7 +175,7 @@ private:
     }
     for (const auto& ring : rings.rings()) {
       internal::Boundary_loop_2 loop = rings.loop(ring);
-      Boundary boundary{{}, false, 0};
+      Boundary boundary{{}, false, internal::no_boundary};
       for (const Intersection_arc& strand : ring)
         boundary.arcs.push_back(arcs[strand.index]);
       if (!rings.has_region_on_left(ring.front())) {
@@ -184,26 +183,13 @@ private:
         loop.reverse();
       }
       boundary.is_hole = !loop.is_counterclockwise();
+      if (!boundary.is_hole)
+        boundary.outer = m_boundaries.size();
       m_boundaries.push_back(std::move(boundary));
       m_loops.push_back(std::move(loop));
     }
   }
 
-  // The innermost one around each hole.
-  void find_outer_boundaries()
-  {
-    std::vector<std::size_t> outer;
-    for (std::size_t i = 0; i < m_loops.size(); ++i)
-      if (!m_boundaries[i].is_hole)
-        outer.push_back(m_boundaries[i].outer = i);
-    const auto is_around = [&](std::size_t i, std::size_t k) { return i != k && m_loops[i].winding_number(m_loops[k].inner_point()) != 0; };
-    for (std::size_t hole = 0; hole < m_loops.size(); ++hole)
-      if (m_boundaries[hole].is_hole) {
-        std::vector<std::size_t> around;
-        std::copy_if(outer.begin(), outer.end(), std::back_inserter(around), [&](std::size_t i) { return is_around(i, hole); });
-        m_boundaries[hole].outer = *std::min_element(around.begin(), around.end(), [&](std::size_t i, std::size_t k) { return is_around(k, i); });
-      }
-  }
 };
 
 } // namespace Spline_constraints

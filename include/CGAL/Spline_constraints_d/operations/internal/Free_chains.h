@@ -84,6 +84,9 @@ public:
     return result;
   }
 
+  // Where a piece begins or ends.
+  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != front(piece).is_reversed]; }
+
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
   std::array<double, 2> parameters(const Piece& piece) const
   {
@@ -92,8 +95,6 @@ public:
   }
 
 private:
-  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != front(piece).is_reversed]; }
-
   template <class Center>
   void connect_pieces(const Center& center)
   {

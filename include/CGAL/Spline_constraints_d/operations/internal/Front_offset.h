@@ -10,10 +10,8 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -59,24 +57,6 @@ public:
     std::vector<double> result{begin};
     append_samples(result, end, between, is_chord, {0, 24});
     return result;
-  }
-
-  // The angle by which the direction from a point to the offset turns; nothing if the offset passes the point too closely to tell.
-  std::optional<double> turn_around(const Interval_pair& p, double from, double to, int depth = 0) const
-  {
-    constexpr int most_depth = 40;
-    const double middle = from / 2 + to / 2;
-    const Interval_pair way = point({(std::min)(from, to), (std::max)(from, to)}) - p;
-    if (dot(way, point({middle, middle}) - p).inf() > 0) {   // it stays in a half-plane
-      const Interval_pair a = point({from, from}) - p, b = point({to, to}) - p;
-      const Interval sine = dot(turned_left(a), b), cosine = dot(a, b);
-      return std::atan2(sine.inf() / 2 + sine.sup() / 2, cosine.inf() / 2 + cosine.sup() / 2);
-    }
-    if (depth >= most_depth)
-      return std::nullopt;
-    const auto first = turn_around(p, from, middle, depth + 1);
-    const auto second = first ? turn_around(p, middle, to, depth + 1) : std::nullopt;
-    return second ? std::optional(*first + *second) : std::nullopt;
   }
 
 private:

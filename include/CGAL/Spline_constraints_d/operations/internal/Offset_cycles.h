@@ -11,14 +11,14 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Free_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_offset.h>
 #include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/internal/turn_around.h>
 
-#include <algorithm>
+#include <CGAL/Uncertain.h>
+
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,8 +41,8 @@ public:
 
   struct Chain : Free_chains::Chain
   {
-    bool is_hole = false;       // of the set
-    std::size_t outer = none;   // the chain around the same component of the set
+    bool is_hole = false;              // of the set
+    std::size_t outer = no_boundary;   // the chain around the same component of the set
   };
 
 private:
@@ -95,56 +95,41 @@ private:
     return {piece.front, {u, u}};
   }
 
-  // How often a closed chain goes around the foot of a chain, counterclockwise; if that is not certain, 0, and the other chain is not nested.
-  int winding_number(const Chain& chain, const Chain& other)
+  // Whether a closed chain goes around the foot of a chain, if that is certain. It goes on from one piece to the next one in a point that is within the ranges of both ends.
+  CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
   {
-    constexpr double most_error = 0.01;
     const Front_range place = foot(other);
     const Interval_pair p = m_graph->front_jet(m_graph->fronts()[place.front], place.range).point;
-    double turns = 0;
-    bool is_certain = true;
-    for (const std::size_t i : chain.pieces) {
-      const auto [from, to] = parameters(pieces()[i]);
-      const auto angle = offset(pieces()[i]).turn_around(p, from, to);
-      is_certain = is_certain && angle;
-      turns += angle.value_or(0) / (2 * CGAL_PI);
+    double turn = 0;
+    for (std::size_t k = 0; k < chain.pieces.size(); ++k) {
+      const Piece &piece = pieces()[chain.pieces[k]], &next = pieces()[chain.pieces[(k + 1) % chain.pieces.size()]];
+      const auto [from, to] = parameters(piece);
+      const double begin = parameters(next)[0];
+      const auto path = [&](const Range& range) { return offset(piece).point(range); };
+      const auto way = [&](const Piece& of, const Range& range) { return offset(of).point(range) - p; };
+      const auto angle = turn_around(p, path, from, to);
+      const auto angle_at_end = angle_within(hull(way(piece, m_free.end(piece, true).location), way(next, m_free.end(next, false).location)), way(piece, {to, to}), way(next, {begin, begin}));
+      if (!angle || !angle_at_end)
+        return CGAL::Uncertain<bool>::indeterminate();
+      turn += *angle + *angle_at_end;
     }
-    const double result = std::round(turns);
-    if (is_certain && std::abs(turns - result) < most_error)
-      return static_cast<int>(result);
-    m_not_nested.push_back(place);
-    return 0;
+    return full_turns(turn) != 0;
   }
 
+  // A chain of which it is not certain whether it is a hole is neither that nor an outer one.
   void nest_chains(bool is_set_free)
   {
-    std::vector<std::size_t> outer;
     for (std::size_t c = 0; c < m_chains.size(); ++c)
       if (Chain& chain = m_chains[c]; chain.is_closed) {
-        chain.is_hole = (winding_number(chain, chain) == 0) != is_set_free;
-        if (!chain.is_hole)
-          outer.push_back(c);
+        const CGAL::Uncertain<bool> is_hole = is_around(chain, chain) == is_set_free;
+        chain.is_hole = CGAL::certainly(is_hole);
+        if (CGAL::certainly_not(is_hole))
+          chain.outer = c;
+        else if (!chain.is_hole)
+          m_not_nested.push_back(foot(chain));
       }
-    const auto around = [&](std::size_t c) {   // the outer chains around the foot of a chain
-      std::vector<std::size_t> result;
-      for (const std::size_t o : outer)
-        if (o != c && winding_number(m_chains[o], m_chains[c]) != 0)
-          result.push_back(o);
-      return result;
-    };
-    std::vector<std::size_t> depth(m_chains.size(), 0);
-    for (const std::size_t o : outer) {
-      m_chains[o].outer = o;
-      depth[o] = around(o).size();
-    }
-    for (std::size_t c = 0; c < m_chains.size(); ++c)
-      if (m_chains[c].is_hole) {
-        const std::vector<std::size_t> candidates = around(c);
-        if (candidates.empty())
-          m_not_nested.push_back(foot(m_chains[c]));
-        else
-          m_chains[c].outer = *std::max_element(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) { return depth[a] < depth[b]; });
-      }
+    for (const std::size_t hole : find_outer_boundaries(m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); }))
+      m_not_nested.push_back(foot(m_chains[hole]));
   }
 };
 

@@ -158,7 +158,8 @@ class Basic_site_arc_2 : public Exact_arc_2
   using Curve_jet = Basic_curve_jet<Interval>;
   using Polynomial_jet = Basic_polynomial_jet<Interval>;
 
-  std::array<Polynomial_jet, 3> m_coordinates;
+  std::array<Polynomial_jet, 3> m_coordinates;                // of a rational piece, relative to its begin: so bounds over a range do not depend on where it is
+  Interval_pair m_begin{};
   std::array<std::array<Polynomial_jet, 3>, 2> m_from_ends;   // ways from both ends, times the weight, and the weight, in the distance of the parameter
   std::array<Polynomial_jet, 2> m_tangent_jet;                // where the derivative is zero in an end
   Interval_pair m_center{};                                   // of the circle
@@ -171,9 +172,11 @@ public:
   explicit Basic_site_arc_2(Exact_arc_2 arc) : Exact_arc_2(std::move(arc))
   {
     const auto& coordinates = piece().coordinates;
-    for (std::size_t k = 0; k < 3; ++k)
-      m_coordinates[k] = Polynomial_jet(coordinates[k], error());
     const std::array<Exact_pair, 2> ends{at(0), at(1)};
+    for (std::size_t k = 0; k < 3; ++k)
+      m_coordinates[k] = Polynomial_jet(k == 2 || is_polynomial() ? coordinates[k] : coordinates[k] - coordinates[2] * ends[0][k], error());
+    if (!is_polynomial())
+      m_begin = {interval_of<Interval>(ends[0][0]), interval_of<Interval>(ends[0][1])};
     for (const bool end : {false, true})
       for (std::size_t k = 0; k < 3; ++k) {
         const Bernstein_tensor<Exact_rational> way = k == 2 ? coordinates[k] : coordinates[k] - coordinates[2] * ends[end][k];
@@ -257,8 +260,10 @@ public:
     Curve_jet result;
     for (std::size_t k = 0; k <= order; ++k)
       result[k] = {m_coordinates[0](k, range), m_coordinates[1](k, range)};
-    if (!is_polynomial())
+    if (!is_polynomial()) {
       divide_by_weight(result, range, order);
+      result[0] = result[0] + m_begin;
+    }
     return result;
   }
 

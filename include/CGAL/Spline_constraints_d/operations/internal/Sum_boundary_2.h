@@ -10,6 +10,8 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Crossing_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Sum_interior_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Vertex_star_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/internal/turn_around.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +49,8 @@ public:
   {
     std::vector<Section> sections;
     bool is_closed;
-    bool is_clockwise = false;
+    bool is_hole = false;              // whether it is clockwise
+    std::size_t outer = no_boundary;   // the chain around the same part of the sum
   };
 
 private:
@@ -65,6 +68,7 @@ public:
     m_undecided.insert(m_undecided.end(), convolution.doubtful().begin(), convolution.doubtful().end());
     m_chains = linked(boundary_sections(convolution.doubtful()), true);
     check_chains();
+    nest_chains();
   }
 
   const std::vector<Chain>& chains() const { return m_chains; }
@@ -163,12 +167,16 @@ private:
   // Long sections tell more easily.
   CGAL::Uncertain<bool> is_on_boundary(const Chain& chain) const
   {
-    std::vector<Section> sections = chain.sections;
-    std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
-    for (const Section& section : sections)
+    for (const Section& section : long_first(chain.sections))
       if (const CGAL::Uncertain<bool> is_inside = has_inside_beside(section); is_inside.is_certain())
         return !is_inside;
     return CGAL::Uncertain<bool>::indeterminate();
+  }
+
+  static std::vector<Section> long_first(std::vector<Section> sections)
+  {
+    std::sort(sections.begin(), sections.end(), [](const Section& a, const Section& b) { return a.range.width() > b.range.width(); });
+    return sections;
   }
 
   /*
@@ -247,19 +255,60 @@ private:
     return result;
   }
 
-  // The boundary has no ends, and encloses some area.
+  // The boundary has no ends, and encloses some area. A chain that is not proved to is no outer one, and no hole.
   void check_chains()
   {
-    for (Chain& chain : m_chains) {
+    for (std::size_t c = 0; c < m_chains.size(); ++c) {
+      Chain& chain = m_chains[c];
       const Section &first = chain.sections.front(), &last = chain.sections.back();
       if (!chain.is_closed)
         for (const auto& [section, t] : {std::pair(&first, first.range.begin), std::pair(&last, last.range.end)})
           m_undecided.push_back(curves()[section->piece]({t, t}).point);
-      else if (const int sign = sign_of_area(chain); sign != 0)
-        chain.is_clockwise = sign < 0;
+      else if (const int sign = sign_of_area(chain); sign < 0)
+        chain.is_hole = true;
+      else if (sign > 0)
+        chain.outer = c;
       else
         m_undecided.push_back(curves()[first.piece](first.range).point);
     }
+  }
+
+  void nest_chains()
+  {
+    for (const std::size_t hole : find_outer_boundaries(m_chains, [&](std::size_t c, std::size_t other) { return is_around(m_chains[c], m_chains[other]); })) {
+      const Section& section = m_chains[hole].sections.front();
+      m_undecided.push_back(curves()[section.piece](section.range).point);
+    }
+  }
+
+  // Whether a closed chain is around another one, if that is certain: around a point between the ends of a section, where chains do not meet.
+  CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
+  {
+    constexpr std::size_t most_sections = 4;
+    const std::vector<Section> sections = long_first(other.sections);
+    for (std::size_t k = 0; k < (std::min)(sections.size(), most_sections); ++k) {
+      const double t = sections[k].range.middle();
+      if (const std::optional<double> turn = turn_around_point(curves()[sections[k].piece]({t, t}).point, chain))
+        return full_turns(*turn) != 0;
+    }
+    return CGAL::Uncertain<bool>::indeterminate();
+  }
+
+  // The angle along a closed chain. It goes on from one section to the next one in a vertex that is within the ranges of both ends.
+  std::optional<double> turn_around_point(const Interval_pair& p, const Chain& chain) const
+  {
+    double result = 0;
+    for (std::size_t k = 0; k < chain.sections.size(); ++k) {
+      const Section &section = chain.sections[k], &next = chain.sections[(k + 1) % chain.sections.size()];
+      const auto path = [&](const Range& range) { return curves()[section.piece](range).point; };
+      const auto way = [&](const Section& of, double from, double to) { return curves()[of.piece]({from, to}).point - p; };
+      const auto angle = turn_around(p, path, section.range.begin, section.range.end);
+      const auto angle_at_vertex = angle_within(hull(way(section, section.range.end, section.outer_range.end), way(next, next.outer_range.begin, next.range.begin)), way(section, section.range.end, section.range.end), way(next, next.range.begin, next.range.begin));
+      if (!angle || !angle_at_vertex)
+        return std::nullopt;
+      result += *angle + *angle_at_vertex;
+    }
+    return result;
   }
 
   int sign_of_area(const Chain& chain) const
