@@ -240,24 +240,14 @@ TEST(VoronoiCells, OfAMedialAxis)
   }
 }
 
-// Four parabolas with a common inscribed circle that touches them in their summits: that vertex is not resolved, and the cells around it say so. That of a point far from there, between four others, is proved: a square.
+// Three curves that pass through two points with irrational parameters: where they cross is not proved, and no cell claims to be.
 TEST(VoronoiCells, IncompleteDiagramsSaySo)
 {
-  const Curves curves{bezier({P(-1, 3), P(0, 1), P(1, 3)}), bezier({P(-1, -3), P(0, -1), P(1, -3)}), bezier({P(3, -1), P(1, 0), P(3, 1)}), bezier({P(-3, -1), P(-1, 0), P(-3, 1)})};
-  const Diagram diagram = SC::voronoi_diagram(curves, {P(100, 110), P(90, 110), P(110, 110), P(100, 100), P(100, 120)});
+  const Curves curves{bezier({P(-2, 2), P(0, -6), P(2, 2)}), bezier({P(-2, -2), P(0, 6), P(2, -2)}), bezier({P(-3, 0), P(3, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(curves, {P(10, 11)});
   ASSERT_FALSE(diagram.is_complete());
-  std::size_t incomplete = 0;
-  for (std::size_t c = 0; c < 4; ++c)
-    incomplete += !diagram.cell(c).is_complete;
-  EXPECT_GT(incomplete, 0U);
   for (std::size_t s = 0; s < diagram.sites().size(); ++s)
-    if (diagram.sites()[s].point == P(100, 110)) {
-      const auto cell = diagram.cell(s);
-      EXPECT_TRUE(cell.is_complete);
-      ASSERT_EQ(cell.chains.size(), 1U);
-      EXPECT_TRUE(cell.chains[0].is_closed);
-      EXPECT_EQ(cell.chains[0].edges.size(), 4U);
-    }
+    EXPECT_FALSE(diagram.cell(s).is_complete);
 }
 
 TEST(VoronoiCells, RefusesUnknownSites)
