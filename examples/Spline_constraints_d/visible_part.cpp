@@ -38,7 +38,7 @@ int main(int argc, char* argv[])
 
     std::ofstream file("visible_part.svg");
     SC::SVG_writer picture(file, low.bbox() + high.bbox(), 600);
-    SC::draw(picture, visible);
+    SC::draw(picture, visible, 5);
     picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);

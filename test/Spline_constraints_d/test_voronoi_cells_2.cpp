@@ -18,6 +18,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace voronoi_cells_test {
@@ -248,6 +249,18 @@ TEST(VoronoiCells, IncompleteDiagramsSaySo)
   ASSERT_FALSE(diagram.is_complete());
   for (std::size_t s = 0; s < diagram.sites().size(); ++s)
     EXPECT_FALSE(diagram.cell(s).is_complete);
+}
+
+// The message names the curve and the parameters.
+TEST(VoronoiCells, PiecesThatArePoints)
+{
+  const Curves curves{bezier({P(9, 0), P(9, 1)}), SC::polyline_curve(std::vector<P>{P(0, 0), P(1, 1), P(1, 1), P(2, 0)})};
+  try {
+    (void)SC::voronoi_diagram(curves);
+    FAIL();
+  } catch (const SC::Invalid_input& error) {
+    EXPECT_NE(std::string(error.what()).find("curve 1 between the parameters 1.000000 and 2.000000 is a point"), std::string::npos) << error.what();
+  }
 }
 
 TEST(VoronoiCells, RefusesUnknownSites)

@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
+#include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
 #include <algorithm>
 #include <array>
@@ -36,8 +37,8 @@ struct Voronoi_site_2
 {
   bool is_point;                             ///< whether it is a point
   typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
-  std::size_t curve;                         ///< the index of the curve; of a point, that of a curve that ends there, or the largest number
-  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve
+  std::size_t curve;                         ///< the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
+  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve; a point has twice its own one
   std::size_t region;                        ///< the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to that
 };
 
@@ -305,7 +306,8 @@ private:
     }
     for (std::size_t v = 0; v < regions.size(); ++v) {
       const auto& vertex = m_graph->vertices()[v];
-      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), vertex.ends.empty() ? internal::Disk_diagram::none : m_graph->curve_of_arc(vertex.ends.front().arc), {}, regions[v]});
+      const auto [curve, parameter] = internal::vertex_origin(*m_graph, v).value_or(std::pair(internal::Disk_diagram::none, 0.));
+      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), curve, {parameter, parameter}, regions[v]});
     }
     m_number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
   }
