@@ -3,9 +3,9 @@
 
 // What one of the planar operations says of each of many drawings: a line per drawing that is not complete, is refused, or is slow, and a summary with times.
 //
-//   survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE...
+//   survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...
 //
-// With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
+// Of a folder, all drawings in it are taken, as of a folder of glyphs. With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -111,22 +112,37 @@ std::function<std::string(const Curves&)> operation(const std::string& name)
   return {};
 }
 
+// The files, and the drawings in folders, in order.
+std::vector<std::string> drawings(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> result;
+  for (const std::string& argument : arguments)
+    if (std::filesystem::is_directory(argument)) {
+      for (const auto& entry : std::filesystem::directory_iterator(argument))
+        if (entry.path().extension() == ".svg")
+          result.push_back(entry.path().string());
+    } else
+      result.push_back(argument);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   const auto ask = operation(argc > 1 ? argv[1] : "");
   if (!ask) {
-    std::cerr << "survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE...\n";
+    std::cerr << "survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...\n";
     return 2;
   }
   int complete = 0, incomplete = 0, refused = 0;
   double total = 0, greatest = 0;
-  for (int i = 2; i < argc; ++i) {
+  for (const std::string& drawing : drawings({argv + 2, argv + argc})) {
     const auto begin = std::chrono::steady_clock::now();
     std::string said;
     try {
-      said = ask(SC::IO::read_SVG_curves<K>(argv[i]));
+      said = ask(SC::IO::read_SVG_curves<K>(drawing));
       ++(said.empty() ? complete : incomplete);
     } catch (const SC::Invalid_input& error) {
       said = error.what();
@@ -136,7 +152,7 @@ int main(int argc, char* argv[])
     total += seconds;
     greatest = (std::max)(greatest, seconds);
     if (!said.empty() || seconds > slow)
-      std::cout << argv[i] << ": " << (said.empty() ? "complete" : said) << ", " << seconds << " s" << std::endl;
+      std::cout << drawing << ": " << (said.empty() ? "complete" : said) << ", " << seconds << " s" << std::endl;
   }
   std::cout << argv[1] << ": " << complete << " complete, " << incomplete << " incomplete, " << refused << " refused; " << total << " s, the slowest " << greatest << " s\n";
 }

@@ -7,7 +7,7 @@
 //
 // Writes convex_hull.svg. Exit status: 0 when all of the boundary is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,18 +26,16 @@ int main(int argc, char* argv[])
 
     std::ofstream file("convex_hull.svg");
     SC::SVG_writer picture(file, curves);
-    picture.polygon(hull.polygon(picture.pixel() / 8), "#dbe9f6");
+    SC::draw(picture, hull, 4);
+    picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);
-    std::size_t arcs = 0, segments = 0;
-    for (std::size_t i = 0; i < hull.edges().size(); ++i) {
-      const auto& edge = hull.edges()[i];
-      const bool is_arc = edge.kind == SC::Hull_edge_kind::ARC;
-      ++(is_arc ? arcs : segments);
-      picture.polyline(hull.polyline(i, picture.pixel() / 8), is_arc ? "#d62728" : "#1f77b4", 4);
-    }
+    picture.layer("vertices");
     for (const auto& edge : hull.edges())
       picture.point(hull.point(edge.source), "black", 8);
+    std::size_t arcs = 0, segments = 0;
+    for (const auto& edge : hull.edges())
+      ++(edge.kind == SC::Hull_edge_kind::ARC ? arcs : segments);
 
     std::cout << curves.size() << " curves; hull of " << arcs << " arcs and " << segments << " segments";
     if (hull.is_complete()) {

@@ -7,12 +7,13 @@
 //
 // Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -27,25 +28,21 @@ int main(int argc, char* argv[])
 
     std::ofstream file("medial_axis.svg");
     SC::SVG_writer picture(file, curves);
+    picture.layer("disks");
     for (std::size_t e = 0; e < axis.edges().size(); ++e) {
       auto last = axis.vertices()[axis.edges()[e].vertices[0]].point;
-      const auto edge = axis.polyline(e, picture.pixel() / 8);
-      for (const auto& sample : edge)
+      for (const auto& sample : axis.polyline(e, picture.pixel() / 8))
         if (CGAL::squared_distance(sample.point, last) > CGAL::square(picture.extent() / 20) && sample.radius > 0) {
           picture.circle(sample.point, sample.radius, "#9ecae1", 1);
           last = sample.point;
         }
-      picture.polyline(edge, "#d62728", 2.5);
     }
+    SC::draw(picture, axis);
+    picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
 
-    std::size_t branching = 0;
-    for (const auto& vertex : axis.vertices())
-      if (vertex.edges.size() > 2) {
-        ++branching;
-        picture.point(vertex.point, "#d62728", 9);
-      }
+    const auto branching = std::count_if(axis.vertices().begin(), axis.vertices().end(), [](const auto& vertex) { return vertex.edges.size() > 2; });
     std::cout << "boundaries: " << axis.number_of_regions() << "; edges: " << axis.edges().size() << "; vertices: " << axis.vertices().size() << ", " << branching << " of degree three or more; complete: " << (axis.is_complete() ? "yes" : "no") << '\n';
     return axis.is_complete() ? 0 : 3;
   } catch (const SC::Invalid_input& error) {

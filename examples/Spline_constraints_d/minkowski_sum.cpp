@@ -4,7 +4,7 @@
 // The Minkowski sum of two regions with curved edges: all that one of them covers when it is moved along the other one. The second region has corners, and closes the bay of the first one, so that the sum has a hole.
 //
 // Writes minkowski_sum.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
 
@@ -26,18 +26,16 @@ int main()
     const auto a = SC::planar_region(bay), b = SC::planar_region(leaf);
     const auto sum = SC::minkowski_sum(a, b);
 
-    const auto polygons = sum.polygons_with_holes(2e-3);
+    const auto layers = SC::planar_layers(sum, 2e-3);
     std::ofstream file("minkowski_sum.svg");
-    SC::SVG_writer picture(file, polygons);
-    for (const auto& polygon : polygons)
-      picture.polygon(polygon, "#dbe9f6");
+    SC::SVG_writer picture(file, layers.front().areas);
+    SC::draw(picture, layers, 3);
+    picture.layer("copies");
     for (double t = 0; t < bay.domain().second; t += 0.25)
       for (const auto& curve : leaf)
         picture.curve(curve.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, bay(t) - CGAL::ORIGIN)), "#aaa", 1);
+    picture.layer("bay");
     picture.curve(bay, "black", 3);
-    for (std::size_t i = 0; i < sum.boundaries().size(); ++i)
-      for (std::size_t k = 0; k < sum.boundaries()[i].arcs.size(); ++k)
-        picture.polyline(sum.polyline(i, k, 2e-3), "#d62728", 3);
 
     for (const auto& boundary : sum.boundaries())
       std::cout << (boundary.is_hole ? "a hole of " : "an outer boundary of ") << boundary.arcs.size() << " arcs\n";

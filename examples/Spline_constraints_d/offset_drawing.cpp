@@ -19,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <string>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
@@ -48,6 +49,7 @@ int main(int argc, char* argv[])
     bool is_complete = true;
     for (int i = number; i > 0; --i) {
       const auto offset = SC::trimmed_offset(curves, i * distance);
+      picture.layer("offset " + std::to_string(i));
       for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
         picture.polyline(offset.polyline(arc, picture.pixel() / 8), color(static_cast<double>(i) / number), 2);
       const auto holes = std::count_if(offset.boundaries().begin(), offset.boundaries().end(), [](const auto& boundary) { return boundary.is_hole; });
@@ -55,6 +57,7 @@ int main(int argc, char* argv[])
                 << "; complete: " << (offset.is_complete() ? "yes" : "no") << '\n';
       is_complete = is_complete && offset.is_complete();
     }
+    picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 3);
     return is_complete ? 0 : 3;

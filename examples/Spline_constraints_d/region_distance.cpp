@@ -15,6 +15,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ int main()
   const auto obstacle = SC::planar_region(boundary);
   std::ofstream file("region_distance.svg");
   SC::SVG_writer picture(file, CGAL::Bbox_2(-0.5, -0.5, 12.5, 6.5), 700);
+  picture.layer("obstacle");
   for (const auto& polygon : obstacle.polygons_with_holes(0.001))
     picture.polygon(std::vector<K::Point_2>(polygon.outer_boundary().begin(), polygon.outer_boundary().end()), "#dddddd");
   for (const Curve& curve : boundary)
@@ -39,6 +41,7 @@ int main()
     const Curve part = Curve::from_periodic(3, {0, 1, 2, 3, 4, 5}, {K::Point_2(x, y + 1), K::Point_2(x - 1, y + 0.25), K::Point_2(x - 0.5, y - 1), K::Point_2(x + 0.5, y - 1), K::Point_2(x + 1, y + 0.25)});
     const auto distance = SC::region_distance(obstacle, SC::planar_region(part));
     is_complete = is_complete && distance.is_complete();
+    picture.layer("part at " + std::to_string(x));
     picture.curve(part, CGAL::possibly(distance.do_meet()) ? "#d62728" : "#1f77b4", 3);
     if (CGAL::certainly(!distance.do_meet()))
       for (const auto& pair : distance.pairs()) {

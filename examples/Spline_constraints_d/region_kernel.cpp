@@ -4,7 +4,7 @@
 // The kernel of a region with a smooth boundary, and what is seen of the region from a point that is not in it.
 //
 // Writes region_kernel.svg. Exit status: 0 when all is proved, 3 when a part is not.
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
 
@@ -25,17 +25,18 @@ int main()
 
   std::ofstream file("region_kernel.svg");
   SC::SVG_writer picture(file, CGAL::Bbox_2(-4.2, -3.5, 4.9, 4.1), 600);
+  picture.layer("visible");
   picture.polygon(visible.polygon(1e-3), "#eeeeee");
-  picture.polygon(kernel.polygon(1e-3), "#dbe9f6");
-  picture.curve(curve, "black", 2);
   for (std::size_t i = 0; i < visible.edges().size(); ++i)
     if (visible.edges()[i].kind == SC::Visible_edge_kind::SEGMENT)
       picture.polyline(visible.polyline(i, 1e-3), "#888888", 2);
+  SC::draw(picture, kernel, 4);
+  picture.layer("curve");
+  picture.curve(curve, "black", 2);
+  picture.layer("vertices");
   std::size_t arcs = 0, segments = 0;
   for (std::size_t i = 0; i < kernel.edges().size(); ++i) {
-    const bool is_arc = kernel.edges()[i].kind == SC::Kernel_edge_kind::ARC;
-    ++(is_arc ? arcs : segments);
-    picture.polyline(kernel.polyline(i, 1e-3), is_arc ? "#d62728" : "#1f77b4", 4);
+    ++(kernel.edges()[i].kind == SC::Kernel_edge_kind::ARC ? arcs : segments);
     picture.point(kernel.source(i), "black", 7);
   }
   picture.point(viewpoint, "black", 9);

@@ -4,8 +4,7 @@
 // What a broad nib writes: all that a region covers when it is moved along a curve.
 //
 // Writes swept_area.svg, and swept_area.wkt, with the area as well-known text. Exit status: 0 when nothing is undecided, 3 when something is.
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/IO/write_WKT.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
@@ -26,18 +25,16 @@ int main()
   const SC::Bspline_curve_2<K> path(3, {0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4}, {{9, 6}, {7, 2}, {3, -1}, {-1, 3}, {3, 8}, {6, 1}, {9, 0.5}});
   const auto area = SC::swept_area(SC::planar_region(nib), path);
 
-  const auto polygons = area.polygons_with_holes(2e-3);
+  const auto layers = SC::planar_layers(area, 2e-3);
   std::ofstream text("swept_area.wkt");
-  SC::IO::write_WKT(text, polygons);
+  SC::IO::write_WKT(text, layers);
   std::ofstream file("swept_area.svg");
-  SC::SVG_writer picture(file, polygons);
-  for (const auto& polygon : polygons)
-    picture.polygon(polygon, "#dbe9f6");
+  SC::SVG_writer picture(file, layers.front().areas);
+  SC::draw(picture, layers);
+  picture.layer("copies");
   for (double t = 0; t <= 4; t += 0.25)
     picture.curve(nib.transformed(K::Aff_transformation_2(CGAL::TRANSLATION, path(t) - CGAL::ORIGIN)), "#888", 1);
-  for (std::size_t i = 0; i < area.boundaries().size(); ++i)
-    for (std::size_t k = 0; k < area.boundaries()[i].arcs.size(); ++k)
-      picture.polyline(area.polyline(i, k, 2e-3), "#d62728", 2.5);
+  picture.layer("path");
   picture.curve(path, "black", 2);
 
   for (const auto& boundary : area.boundaries())

@@ -15,6 +15,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <string>
 #include <vector>
 
 namespace SC = CGAL::Spline_constraints;
@@ -31,6 +32,7 @@ int main()
 
   for (const int k : {1, 2, 3, 5, 6, 7}) {
     const auto sector = SC::trimmed_alpha_sector(a, b, k / 8.0);
+    picture.layer("alpha = " + std::to_string(k) + "/8");
     for (const auto& chain : sector.chains()) {
       for (const std::size_t arc : chain.arcs)
         picture.polyline(sector.polyline(arc, 0.005), colours[k - 1], 2);
@@ -40,9 +42,11 @@ int main()
   }
 
   const auto bisector = SC::trimmed_bisector(a, b);
+  picture.layer("bisector");
   for (const auto& chain : bisector.chains())
     for (const auto& polyline : bisector.polylines(chain, 0.005, 15))
       picture.polyline(polyline, "#999999", 2);
+  picture.layer("curves");
   picture.curve(a, "black", 4);
   picture.curve(b, "black", 4);
   return is_complete && bisector.is_complete() ? 0 : 3;

@@ -6,7 +6,7 @@
 //   trimmed_bisector
 //
 // Writes trimmed_bisector.svg, with the trimmed bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not.
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
@@ -28,10 +28,12 @@ int main()
   SC::SVG_writer picture(file, CGAL::Bbox_2(-6, -4.5, 6, 4), 700);
 
   const auto untrimmed = SC::bisector_curves(a, b);
+  picture.layer("untrimmed");
   for (const auto& curve : untrimmed.curves())
     picture.polyline(untrimmed.polyline(curve, 0.005, 15), "#cccccc", 2);
 
   const auto bisector = SC::trimmed_bisector(a, b);
+  picture.layer("disks");
   const auto& sites = bisector.diagram().sites();
   for (const auto& chain : bisector.chains()) {
     std::cout << "chain of " << chain.arcs.size() << " arcs:";
@@ -41,13 +43,13 @@ int main()
       std::cout << ' ' << kind(0) << '/' << kind(1);
     }
     std::cout << '\n';
-    for (const auto& polyline : bisector.polylines(chain, 0.001, 15)) {
+    for (const auto& polyline : bisector.polylines(chain, 0.001, 15))
       for (std::size_t i = 4; i < polyline.size(); i += 8)
         if (polyline[i].radius < 3)
           picture.circle(polyline[i].point, polyline[i].radius, "#9ecae1", 1);
-      picture.polyline(polyline, "#d62728", 3);
-    }
   }
+  SC::draw(picture, bisector, 3);
+  picture.layer("curves");
   picture.curve(a, "black", 4);
   picture.curve(b, "black", 4);
   std::cout << "complete: " << (bisector.is_complete() ? "yes" : "no") << '\n';

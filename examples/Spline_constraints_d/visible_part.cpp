@@ -7,7 +7,7 @@
 //
 // Writes visible_part.svg. Exit status: 0 when all is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
-#include <CGAL/Spline_constraints_d/IO/write_SVG.h>
+#include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
 
@@ -38,16 +38,15 @@ int main(int argc, char* argv[])
 
     std::ofstream file("visible_part.svg");
     SC::SVG_writer picture(file, low.bbox() + high.bbox(), 600);
-    picture.polygon(visible.polygon(picture.pixel() / 8), "#fdf3d0");
+    SC::draw(picture, visible, 5);
+    picture.layer("curves");
     for (const auto& curve : curves)
       picture.curve(curve, "black", 2);
-    std::size_t arcs = 0, segments = 0;
-    for (std::size_t i = 0; i < visible.edges().size(); ++i) {
-      const bool is_arc = visible.edges()[i].kind == SC::Visible_edge_kind::ARC;
-      ++(is_arc ? arcs : segments);
-      picture.polyline(visible.polyline(i, picture.pixel() / 8), is_arc ? "#d62728" : "#e0a000", is_arc ? 4 : 1.5);
-    }
+    picture.layer("viewpoint");
     picture.point(viewpoint, "black", 9);
+    std::size_t arcs = 0, segments = 0;
+    for (const auto& edge : visible.edges())
+      ++(edge.kind == SC::Visible_edge_kind::ARC ? arcs : segments);
 
     std::cout << curves.size() << " curves; seen are " << arcs << " arcs, with " << segments << " segments of rays between them";
     if (visible.is_complete()) {

@@ -148,6 +148,28 @@ TEST(planar_regions_2, polygons)
   EXPECT_EQ(region.bounded_side(Point(R(3) / 2, R(3) / 2)), CGAL::ON_BOUNDARY);
 }
 
+// Holes have to be inside of the outer boundary, and outside of each other; in either direction. They may touch.
+TEST(planar_regions_2, holes_in_the_wrong_place)
+{
+  using Polygon = CGAL::Polygon_2<Exact_cartesian>;
+  const auto square = [](int x, int y, int size, bool is_clockwise) {
+    const std::vector<Point> corners{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+    Polygon result(corners.begin(), corners.end());
+    if (is_clockwise)
+      result.reverse_orientation();
+    return result;
+  };
+  for (const bool is_clockwise : {false, true}) {
+    const auto region = [&](const Polygon& outer, const std::vector<Polygon>& holes) { return SC::planar_region(CGAL::Polygon_with_holes_2<Exact_cartesian>(outer, holes.begin(), holes.end())); };
+    const Polygon outer = square(0, 0, 9, is_clockwise), inner = square(1, 1, 4, !is_clockwise);
+    EXPECT_EQ(region(outer, {inner, square(6, 6, 1, is_clockwise)}).area().first, 81 - 16 - 1);
+    EXPECT_EQ(region(outer, {inner, square(5, 5, 1, is_clockwise)}).area().first, 81 - 16 - 1);   // they touch in a corner
+    expect_invalid([&] { region(outer, {inner, square(12, 0, 1, is_clockwise)}); }, "hole 1 is outside");
+    expect_invalid([&] { region(outer, {square(2, 2, 1, is_clockwise), inner}); }, "hole 0 is outside of the outer boundary, or inside of another hole");
+    expect_invalid([&] { region(inner, {outer}); }, "hole 0");
+  }
+}
+
 // The same curves and boundaries are read; what is no region is refused, and nothing is changed.
 TEST(planar_regions_2, streams)
 {

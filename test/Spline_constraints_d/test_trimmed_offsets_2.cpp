@@ -58,6 +58,27 @@ Counts counts(const Offset& offset)
   return result;
 }
 
+// Arcs around an end, a corner and a joint within a curve tell which one that is.
+TEST(TrimmedOffsets, ArcsKnowTheirOrigin)
+{
+  const Curves curves{bezier({P(0, 4), P(0, 0)}), SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, 4)})};
+  const Offset offset = SC::trimmed_offset(curves, 1, {P(9, 9)});
+  EXPECT_TRUE(offset.is_complete());
+  std::size_t around_vertices = 0, around_points = 0;
+  for (const Offset::Arc& arc : offset.arcs())
+    if (arc.is_circular && arc.curve < curves.size()) {
+      ++around_vertices;
+      EXPECT_EQ(arc.parameters[0], arc.parameters[1]);
+      EXPECT_EQ(curves[arc.curve](arc.parameters[0]), arc.center);
+      EXPECT_EQ(arc.curve, arc.center.x() < 4 ? 0U : 1U);   // in the common end, the lower index
+    } else if (arc.is_circular) {
+      ++around_points;
+      EXPECT_EQ(arc.center, P(9, 9));
+    }
+  EXPECT_EQ(around_vertices, 4U);
+  EXPECT_EQ(around_points, 1U);
+}
+
 TEST(TrimmedOffsets, Points)
 {
   const Offset one = SC::trimmed_offset(Curves(), 2, {P(1, 3)});

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/Undecided_part_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Offset_cycles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
 #include <CGAL/Polygon_with_holes_2.h>
 
@@ -45,8 +46,8 @@ public:
   {
     bool is_circular;                     ///< whether it belongs to a point: an end or a corner of a curve, or an isolated point
     Point center;                         ///< the point; of the offset of a curve, none
-    std::size_t curve;                    ///< the index of the curve; of a point, no index
-    std::array<double, 2> parameters;     ///< of the curve, where the arc begins and ends
+    std::size_t curve;                    ///< the index of the curve; of a point, the lowest index of a curve that ends or has a joint or a crossing there; of an isolated point, no index
+    std::array<double, 2> parameters;     ///< of the curve, where the arc begins and ends; of a point, twice that of the point on the curve
   };
 
   //! a boundary of the set.
@@ -150,8 +151,10 @@ private:
     const internal::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
     const internal::Front& front = m_cycles->front(piece);
     const internal::Site_graph_2& graph = m_cycles->graph();
-    if (front.is_fan)
-      return {true, internal::kernel_object<Kernel, Point>(graph.vertices()[front.object].exact_point), internal::Offset_cycles::none, {}};
+    if (front.is_fan) {
+      const auto [curve, parameter] = internal::vertex_origin(graph, front.object).value_or(std::pair(internal::Offset_cycles::none, 0.));
+      return {true, internal::kernel_object<Kernel, Point>(graph.vertices()[front.object].exact_point), curve, {parameter, parameter}};
+    }
     const auto [begin, end] = parameters(piece);
     return {false, Point(0, 0), graph.curve_of_arc(front.object), {graph.curve_parameter(front.object, begin), graph.curve_parameter(front.object, end)}};
   }

@@ -9,7 +9,9 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
+#include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
+#include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,8 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,8 +37,8 @@ struct Voronoi_site_2
 {
   bool is_point;                             ///< whether it is a point
   typename Kernel::Point_2 point;            ///< the point; of a piece, the point where it begins
-  std::size_t curve;                         ///< the index of the curve; of a point, that of a curve that ends there, or the largest number
-  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve
+  std::size_t curve;                         ///< the index of the curve; of a point, the lowest index of a curve that ends or is cut there, or the largest number
+  std::array<double, 2> parameters;          ///< the piece begins and ends with these parameters of the curve; a point has twice its own one
   std::size_t region;                        ///< the index of the connected set of curves and points that it belongs to, and of the region of the plane nearest to that
 };
 
@@ -108,6 +112,31 @@ public:
     std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
   };
 
+  //! an edge as the boundary of a cell sees it: with the site of the cell on its left, and the adjacent one on its right.
+  struct Boundary_edge : Edge
+  {
+    std::size_t index;                  ///< that of the edge
+    bool is_reversed;                   ///< whether the boundary runs from the end of the edge to its begin
+  };
+
+  //! edges of the boundary of a cell, each of which begins where the one before ends.
+  struct Boundary_chain
+  {
+    std::vector<Boundary_edge> edges;   ///< in order
+    bool is_closed;                     ///< whether the last one ends where the first one begins; if not, the chain begins and ends at infinity, or where the foot of the perpendicular goes over to another site
+  };
+
+  /*!
+  the points that are nearest to a site, or to one of several sites, by the boundary of them, counterclockwise.
+
+  Where the foot of the perpendicular goes over to a site on the same curve there is no edge, but this perpendicular: it joins the ends of two chains, or leads to infinity. A cell without chains is all of the region of the site, or of the plane, up to such perpendiculars.
+  */
+  struct Cell
+  {
+    std::vector<Boundary_chain> chains;     ///< the open ones first
+    bool is_complete;                       ///< whether they are proved to be all of the boundary
+  };
+
 private:
   using Part = internal::Disk_diagram::Part;
 
@@ -117,7 +146,9 @@ private:
   std::vector<Site> m_sites;
   std::vector<Vertex> m_vertices;
   std::vector<Edge> m_edges;
-  std::vector<std::size_t> m_halfedge_of_edge;
+  std::vector<std::size_t> m_halfedge_of_edge, m_edge_of_halfedge;
+  std::vector<std::vector<std::size_t>> m_halfedges_of_site;
+  std::vector<char> m_is_undecided;   // of each site: whether some of its cell is
   std::size_t m_number_of_regions = 0;
 
 public:
@@ -128,6 +159,7 @@ public:
     make_sites();
     make_vertices();
     make_edges();
+    make_cells();
   }
 #endif
 
@@ -161,6 +193,52 @@ public:
   //! the parts of curves beside which disks are not decided, or edges not connected, in order; none if the diagram is complete, and some if it is not. A part that belongs to an isolated point has no curve: the greatest index.
   std::vector<Undecided_part_2> undecided() const { return internal::undecided_parts(*m_graph, m_diagram->unresolved_parts()); }
 
+  //! the sites that are on a curve: its pieces, and the points where these end. Of a part that is also on a curve of a lower index, there are only the ends: see `coincident_parts()`.
+  std::vector<std::size_t> sites_of_curve(std::size_t curve) const
+  {
+    std::vector<std::size_t> result;
+    const auto is_on_curve = [&](const auto& end) { return m_graph->curve_of_arc(end.arc) == curve; };
+    for (std::size_t i = 0; i < m_sites.size(); ++i) {
+      const std::size_t arcs = m_graph->arcs().size();
+      if (i < arcs ? m_graph->curve_of_arc(i) == curve : std::ranges::any_of(m_graph->vertices()[i - arcs].ends, is_on_curve))
+        result.push_back(i);
+    }
+    return result;
+  }
+
+  /*!
+  the cell of some sites: the union of their cells. Edges between two of them, or between two points of one, are inside and left out; of a closed curve, `sites_of_curve()`, there is what is inside of it and what is outside.
+
+  Of a medial axis, it is the part that is in the region.
+
+  \param sites indices of sites.
+  \throws Invalid_input when there is no such site.
+
+  Complexity: linear, up to a logarithm, in the number of all edges of these sites.
+  */
+  Cell cell(const std::vector<std::size_t>& sites) const
+  {
+    const std::set<std::size_t> inner(sites.begin(), sites.end());
+    if (!inner.empty() && *inner.rbegin() >= m_sites.size())
+      throw Invalid_input("Voronoi_diagram_2: there is no site " + std::to_string(*inner.rbegin()));
+    std::vector<std::size_t> halfedges;
+    Cell result{{}, m_graph->is_proved()};
+    for (const std::size_t site : inner) {
+      halfedges.insert(halfedges.end(), m_halfedges_of_site[site].begin(), m_halfedges_of_site[site].end());
+      result.is_complete = result.is_complete && !m_is_undecided[site];
+    }
+    const auto is_inside = [&](std::size_t h) { return inner.contains(site_of(m_diagram->front(m_diagram->halfedges()[h]))); };
+    for (const auto& [chain, is_closed] : internal::Cell_boundaries(*m_diagram, is_inside)(halfedges)) {
+      result.chains.push_back({{}, is_closed});
+      for (const std::size_t h : chain)
+        result.chains.back().edges.push_back(boundary_edge(h));
+    }
+    return result;
+  }
+
+  //! the cell of a site; see above. \throws Invalid_input when there is no such site.
+  Cell cell(std::size_t site) const { return cell(std::vector<std::size_t>{site}); }
+
   /*!
   points along an edge, so many that it passes the middles of their chords at no more than a given distance.
 
@@ -178,6 +256,18 @@ public:
     std::vector<Sample> result;
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
       append_part(part, error, most_radius, result);
+    return result;
+  }
+
+  //! points along an edge of the boundary of a cell, from its begin to its end; otherwise as above.
+  std::vector<Sample> polyline(const Boundary_edge& edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
+  {
+    std::vector<Sample> result = polyline(edge.index, error, most_radius);
+    if (edge.is_reversed) {
+      std::reverse(result.begin(), result.end());
+      for (Sample& sample : result)
+        std::swap(sample.parameters[0], sample.parameters[1]);
+    }
     return result;
   }
 
@@ -215,7 +305,8 @@ private:
     }
     for (std::size_t v = 0; v < regions.size(); ++v) {
       const auto& vertex = m_graph->vertices()[v];
-      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), vertex.ends.empty() ? internal::Disk_diagram::none : m_graph->curve_of_arc(vertex.ends.front().arc), {}, regions[v]});
+      const auto [curve, parameter] = internal::vertex_origin(*m_graph, v).value_or(std::pair(internal::Disk_diagram::none, 0.));
+      m_sites.push_back({true, internal::kernel_object<Kernel, Point>(vertex.exact_point), curve, {parameter, parameter}, regions[v]});
     }
     m_number_of_regions = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end()) + 1;
   }
@@ -236,7 +327,8 @@ private:
   void make_edges()
   {
     const auto& halfedges = m_diagram->halfedges();
-    std::vector<std::size_t> edge_of(halfedges.size(), internal::Disk_diagram::none);
+    std::vector<std::size_t>& edge_of = m_edge_of_halfedge;
+    edge_of.assign(halfedges.size(), internal::Disk_diagram::none);
     for (std::size_t i = 0; i < halfedges.size(); ++i) {
       const std::size_t twin = halfedges[i].twin;
       if (twin == internal::Disk_diagram::none || twin < i)
@@ -256,6 +348,32 @@ private:
           m_vertices[v].edges.push_back(edge_of[h]);
           m_vertices[v].contacts.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false))});
         }
+  }
+
+  void make_cells()
+  {
+    m_halfedges_of_site.resize(m_sites.size());
+    for (std::size_t h = 0; h < m_diagram->halfedges().size(); ++h)
+      m_halfedges_of_site[site_of(m_diagram->front(m_diagram->halfedges()[h]))].push_back(h);
+    m_is_undecided.assign(m_sites.size(), false);
+    for (const internal::Front_range& part : m_diagram->unresolved_parts())
+      m_is_undecided[site_of(m_graph->fronts()[part.front])] = true;
+  }
+
+  // The side of an edge on which a halfedge is.
+  Boundary_edge boundary_edge(std::size_t halfedge) const
+  {
+    const std::size_t index = m_edge_of_halfedge[halfedge];
+    const bool is_reversed = m_halfedge_of_edge[index] == halfedge;   // it has its site on the right
+    Boundary_edge result{m_edges[index], index, is_reversed};
+    if (is_reversed) {
+      std::swap(result.sites[0], result.sites[1]);
+      std::swap(result.vertices[0], result.vertices[1]);
+      std::swap(result.parameters[0], result.parameters[1]);
+      for (auto& ends : result.parameters)
+        std::swap(ends[0], ends[1]);
+    }
+    return result;
   }
 
   double end_parameter(const internal::Disk_diagram::Halfedge& h, bool end) const { return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end); }

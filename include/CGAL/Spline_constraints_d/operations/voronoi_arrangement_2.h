@@ -10,6 +10,8 @@
 
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
 
 #include <algorithm>
 #include <array>
@@ -184,6 +186,29 @@ void label_faces(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2
   }
 }
 
+// A face of a box that no edge passes is part of one region, that of the sites that are nearest to a corner of it.
+template <SplineKernel Kernel>
+void label_whole_box(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+{
+  for (auto face = result.arrangement.faces_begin(); face != result.arrangement.faces_end(); ++face)
+    if (!face->is_unbounded() && face->data().empty()) {
+      const auto& corner = face->outer_ccb()->source()->point();
+      const std::size_t site = diagram.nearest_sites(typename Kernel::Point_2(CGAL::to_double(corner.x()), CGAL::to_double(corner.y()))).front();
+      face->set_data({diagram.sites()[site].region});
+    }
+}
+
+template <class Halfedge>
+CGAL::Polygon_2<CGAL::Exact_predicates_exact_constructions_kernel> polygon_along(Halfedge begin)
+{
+  CGAL::Polygon_2<CGAL::Exact_predicates_exact_constructions_kernel> result;
+  auto h = begin;
+  do
+    result.push_back(h->source()->point());
+  while (++h != begin);
+  return result;
+}
+
 template <SplineKernel Kernel>
 void label_records(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
@@ -247,6 +272,37 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& di
   auto result = internal::refined_arrangement(diagram, error, 2 * diameter);
   internal::cut_at(box, diagram.edges().size(), result.arrangement);
   internal::label_records(diagram, result);
+  internal::label_whole_box(diagram, result);
+  return result;
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+the cell of a connected set of curves and points, `Voronoi_site_2::region`, as polygons with holes that are bounded by chords: the faces of the region, several if a box cuts it, without the edges within them.
+
+\param arrangement the diagram as an arrangement; one in a box, or all that is unbounded is left out.
+\param region the index of the region. Where an arrangement of a diagram that is not complete has faces of several regions, these are left out.
+
+Complexity: that of a copy of the arrangement.
+*/
+template <SplineKernel Kernel>
+std::vector<CGAL::Polygon_with_holes_2<CGAL::Exact_predicates_exact_constructions_kernel>> region_polygons(const Voronoi_arrangement_2<Kernel>& arrangement, std::size_t region)
+{
+  auto faces = arrangement.arrangement;
+  std::vector<typename Voronoi_arrangement_2<Kernel>::Arrangement::Halfedge_handle> inner_edges;
+  for (auto e = faces.edges_begin(); e != faces.edges_end(); ++e)
+    if (e->face()->data() == e->twin()->face()->data())
+      inner_edges.push_back(e);
+  for (const auto& e : inner_edges)
+    faces.remove_edge(e);
+  std::vector<CGAL::Polygon_with_holes_2<CGAL::Exact_predicates_exact_constructions_kernel>> result;
+  for (auto face = faces.faces_begin(); face != faces.faces_end(); ++face)
+    if (!face->is_unbounded() && face->data() == std::vector{region}) {
+      result.emplace_back(internal::polygon_along(face->outer_ccb()));
+      for (auto hole = face->inner_ccbs_begin(); hole != face->inner_ccbs_end(); ++hole)
+        result.back().add_hole(internal::polygon_along(*hole));
+    }
   return result;
 }
 

@@ -114,8 +114,8 @@ public:
     const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
     Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
     const Exact_pair a = arc.at(0), b = arc.at(1);
-    if (a == b && a == arc.at(Exact_rational(1) / 2))
-      throw Invalid_input("a piece of curve " + std::to_string(curve) + " is a point");
+    if (arc.is_point())
+      throw Invalid_input("the piece of curve " + std::to_string(curve) + " between the parameters " + std::to_string(to_nearest_double(arc.piece().domain.first)) + " and " + std::to_string(to_nearest_double(arc.piece().domain.second)) + " is a point");
     m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
     m_curve_of_arc.push_back(curve);
     m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});
