@@ -5,7 +5,7 @@
 //
 //   survey_scenes offsets|lines|hulls|kernels|bisectors|circles [FIRST END]
 //
-// Scenes are those with the numbers from FIRST to before END; all of the manual without these.
+// Scenes are those with the numbers from FIRST to before END.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
 // - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents.
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
@@ -268,7 +268,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"hulls", {hull, 300}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 100}}, {"circles", {circles, 40}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 100}}, {"circles", {circles, 40}}};
 
 } // namespace
 
