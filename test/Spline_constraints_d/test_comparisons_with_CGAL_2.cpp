@@ -41,7 +41,7 @@ void expect_vertices(const Diagram& diagram, const std::vector<P>& expected, std
     EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && distance(v.point, p) < 1e-6 * (1 + v.radius); })) << p;
 }
 
-// One in each of four cells, with integers or with decimal numbers, of which the control points of circles are not those of circles if they are rounded; `survey_scenes circles` compares more.
+// One in each of five cells, with integers or with decimal numbers, of which the control points of circles are not those of circles if they are rounded; `survey_scenes circles` compares more.
 TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
 {
   using Traits = CGAL::Apollonius_graph_traits_2<Double_kernel>;
@@ -51,7 +51,7 @@ TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
     std::uniform_int_distribution<int> hundredths(300 / unit, 700 / unit), radii(100 / unit, 290 / unit);
     Curves circles;
     CGAL::Apollonius_graph_2<Traits> graph;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
       const double x = 10 * (i % 2) + hundredths(random) * unit / 100.0, y = 10 * (i / 2) + hundredths(random) * unit / 100.0, radius = radii(random) * unit / 100.0;
       circles.push_back(SC::circle_curve(P(x, y), radius));
       graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
