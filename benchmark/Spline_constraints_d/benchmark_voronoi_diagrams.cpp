@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics that cross themselves, or
-// each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those. `queries` and `wrong` are numbers of random points and of those for which another site is nearer than the one that is found.
+// each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those.
 
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
@@ -151,48 +150,6 @@ void diagrams_of_random_scenes(benchmark::State& state)
   }
 }
 BENCHMARK(diagrams_of_random_scenes)->Iterations(1)->Unit(benchmark::kMillisecond);
-
-// In one diagram. No sample of any curve is nearer than the site that is found by more than a step between samples.
-void nearest_sites_of_random_points(benchmark::State& state)
-{
-  constexpr int samples = 400;
-  const std::vector<Curve> curves = random_scene(1, 10, false);
-  const auto diagram = SC::voronoi_diagram(curves);
-  std::vector<std::vector<K::Point_2>> along(curves.size());
-  double step = 0;
-  for (std::size_t c = 0; c < curves.size(); ++c)
-    for (int i = 0; i <= samples; ++i) {
-      const K::Point_2 p = curves[c](static_cast<double>(i) / samples);
-      step = i == 0 ? step : std::max(step, std::sqrt(CGAL::squared_distance(along[c].back(), p)));
-      along[c].push_back(p);
-    }
-  std::mt19937 generator(2);
-  std::uniform_real_distribution<double> coordinate(-1, 5);
-  std::vector<K::Point_2> queries;
-  for (int i = 0; i < state.range(0); ++i) {
-    const double x = coordinate(generator), y = coordinate(generator);
-    queries.emplace_back(x, y);
-  }
-  std::vector<std::vector<std::size_t>> found(queries.size());
-  for (auto _ : state)
-    for (std::size_t i = 0; i < queries.size(); ++i)
-      found[i] = diagram.nearest_sites(queries[i]);
-  double wrong = 0;
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    std::vector<double> distances;
-    for (const auto& points : along) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const K::Point_2& p : points)
-        least = std::min(least, CGAL::squared_distance(queries[i], p));
-      distances.push_back(std::sqrt(least));
-    }
-    const double least = *std::min_element(distances.begin(), distances.end());
-    wrong += found[i].empty() || std::any_of(found[i].begin(), found[i].end(), [&](std::size_t site) { return distances[diagram.sites()[site].curve] > least + step; });
-  }
-  state.counters["queries"] = static_cast<double>(queries.size());
-  state.counters["wrong"] = wrong;
-}
-BENCHMARK(nearest_sites_of_random_points)->Arg(100000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void diagram_of_points(benchmark::State& state)
 {

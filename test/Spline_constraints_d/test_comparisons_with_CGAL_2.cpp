@@ -41,58 +41,112 @@ void expect_vertices(const Diagram& diagram, const std::vector<P>& expected, std
     EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && distance(v.point, p) < 1e-6 * (1 + v.radius); })) << p;
 }
 
-// With decimal numbers, of which the control points of circles are not those of circles if they are rounded.
+// One in each of five cells, with integers or with decimal numbers, of which the control points of circles are not those of circles if they are rounded; `survey_scenes circles` compares more.
 TEST(ComparisonsWithCGAL, CirclesAndApolloniusGraph)
 {
   using Traits = CGAL::Apollonius_graph_traits_2<Double_kernel>;
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> hundredths(300, 700), radii(50, 250);
-  Curves circles;
-  CGAL::Apollonius_graph_2<Traits> graph;
-  for (int i = 0; i < 5; ++i) {
-    const double x = 10 * (i % 2) + hundredths(random) / 100.0, y = 10 * (i / 2) + hundredths(random) / 100.0, radius = radii(random) / 100.0;
-    circles.push_back(SC::circle_curve(P(x, y), radius));
-    graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
+  for (int run = 0; run < 2; ++run) {
+    const int unit = run == 1 ? 100 : 1;   // of hundredths
+    std::uniform_int_distribution<int> hundredths(300 / unit, 700 / unit), radii(100 / unit, 290 / unit);
+    Curves circles;
+    CGAL::Apollonius_graph_2<Traits> graph;
+    for (int i = 0; i < 5; ++i) {
+      const double x = 10 * (i % 2) + hundredths(random) * unit / 100.0, y = 10 * (i / 2) + hundredths(random) * unit / 100.0, radius = radii(random) * unit / 100.0;
+      circles.push_back(SC::circle_curve(P(x, y), radius));
+      graph.insert(Traits::Site_2(Traits::Point_2(x, y), radius));
+    }
+    std::vector<P> expected;
+    for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
+      const auto p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(), face->vertex(2)->site());
+      expected.emplace_back(p.x(), p.y());
+    }
+    const Diagram diagram = SC::voronoi_diagram(circles);
+    expect_vertices(diagram, expected, counts(diagram).branching);
   }
-  std::vector<P> expected;
-  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
-    const auto p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(), face->vertex(2)->site());
-    expected.emplace_back(p.x(), p.y());
-  }
-  const Diagram diagram = SC::voronoi_diagram(circles);
-  expect_vertices(diagram, expected, counts(diagram).branching);
 }
 
-TEST(ComparisonsWithCGAL, SegmentsAndSegmentDelaunayGraph)
+class Segment_scene
 {
   using Traits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Double_kernel, CGAL::Field_with_sqrt_tag>;
   using Site_point = Double_kernel::Point_2;
+
+  Curves m_segments;
+  std::vector<P> m_points;
+  CGAL::Segment_Delaunay_graph_2<Traits> m_graph;
+
+public:
+  void insert(const P& p)
+  {
+    m_points.push_back(p);
+    m_graph.insert(Site_point(p.x(), p.y()));
+  }
+
+  void insert(const P& p, const P& q)
+  {
+    m_segments.push_back(bezier({p, q}));
+    m_graph.insert(Site_point(p.x(), p.y()), Site_point(q.x(), q.y()));
+  }
+
+  // The graph has a finite face for each corner, too, where an edge of the diagram ends.
+  void expect_same_vertices(std::size_t corners) const
+  {
+    std::vector<P> expected;
+    for (auto face = m_graph.finite_faces_begin(); face != m_graph.finite_faces_end(); ++face) {
+      const Site_point p = m_graph.primal(face);
+      expected.emplace_back(p.x(), p.y());
+    }
+    const Diagram diagram = SC::voronoi_diagram(m_segments, m_points);
+    const Counts numbers = counts(diagram);
+    EXPECT_EQ(numbers.tips, corners);
+    expect_vertices(diagram, expected, numbers.branching + numbers.passing + numbers.tips);
+  }
+};
+
+TEST(ComparisonsWithCGAL, SegmentsAndSegmentDelaunayGraph)
+{
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(1, 9);
-  Curves segments;
-  std::vector<P> points;
-  CGAL::Segment_Delaunay_graph_2<Traits> graph;
-  for (int i = 0; i < 12; ++i) {
-    const auto in_cell = [&] {
-      const double x = 10 * (i % 4) + coordinate(random), y = 10 * (i / 4) + coordinate(random);
-      return P(x, y);
-    };
-    const P p = in_cell(), q = in_cell();
-    if (i % 3 == 2) {
-      points.push_back(p);
-      graph.insert(Site_point(p.x(), p.y()));
-    } else {
-      segments.push_back(bezier({p, q}));
-      graph.insert(Site_point(p.x(), p.y()), Site_point(q.x(), q.y()));
+  for (int run = 0; run < 10; ++run) {
+    Segment_scene scene;
+    for (int i = 0; i < 6; ++i) {
+      const auto in_cell = [&] {
+        const double x = 10 * (i % 3) + coordinate(random), y = 10 * (i / 3) + coordinate(random);
+        return P(x, y);
+      };
+      const P p = in_cell(), q = in_cell();
+      if (i % 3 == run % 3)
+        scene.insert(p);
+      else
+        scene.insert(p, q);
     }
+    scene.expect_same_vertices(0);
   }
-  std::vector<P> expected;
-  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
-    const Site_point p = graph.primal(face);
-    expected.emplace_back(p.x(), p.y());
+}
+
+// Polygons and polylines: their segments share end points.
+TEST(ComparisonsWithCGAL, PolygonsAndSegmentDelaunayGraph)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> part(0.1, 0.6), length(1, 4.5);
+  for (int run = 0; run < 10; ++run) {
+    Segment_scene scene;
+    std::size_t corners = 0;
+    for (int i = 0; i < 2; ++i) {
+      const bool is_closed = (run + i) % 2 == 0;
+      const int n = 3 + (run + i) % 3;
+      std::vector<P> points;
+      for (int k = 0; k < n; ++k) {
+        const double angle = 2 * CGAL_PI * (k + part(random)) / n, radius = length(random);
+        points.emplace_back(10 * i + radius * std::cos(angle), radius * std::sin(angle));
+      }
+      for (int k = 0; k < (is_closed ? n : n - 1); ++k)
+        scene.insert(points[k], points[(k + 1) % n]);
+      corners += is_closed ? n : n - 2;
+    }
+    scene.insert(P(5 + part(random), 8));
+    scene.expect_same_vertices(corners);
   }
-  const Diagram diagram = SC::voronoi_diagram(segments, points);
-  expect_vertices(diagram, expected, counts(diagram).branching + counts(diagram).passing);
 }
 
 // Of chords, and of what is between them and arcs of circles.
@@ -115,11 +169,12 @@ TEST(ComparisonsWithCGAL, PolygonsAndApproximatedOffsets)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(0, 0.5), length(2, 6);
-  for (int run = 0; run < 2; ++run) {
+  for (int run = 0; run < 10; ++run) {
+    const int n = 5 + run % 5;
     CGAL::Polygon_2<K> star;
     CGAL::Polygon_2<Exact_kernel> exact;
-    for (int i = 0; i < 9; ++i) {
-      const double angle = 2 * CGAL_PI * (i + part(random)) / 9, radius = length(random);
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * CGAL_PI * (i + part(random)) / n, radius = length(random);
       star.push_back(P(radius * std::cos(angle), radius * std::sin(angle)));
       exact.push_back(Exact_kernel::Point_2(star[star.size() - 1].x(), star[star.size() - 1].y()));
     }

@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
+//
+//   survey_scenes offsets|lines|hulls|kernels|bisectors|circles [FIRST END]
+//
+// Scenes are those with the numbers from FIRST to before END.
+// - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
+// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents.
+// - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
+// - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
+// - bisectors: of two cubics in neighbouring squares; differing is what is not one chain.
+// - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+
+#include <CGAL/Apollonius_graph_2.h>
+#include <CGAL/Apollonius_graph_traits_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include "polygon_area.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace SC = CGAL::Spline_constraints;
+using K = CGAL::Simple_cartesian<double>;
+using Point = K::Point_2;
+using Vector = K::Vector_2;
+using Curves = std::vector<SC::Bspline_curve_2<K>>;
+
+namespace {
+
+struct Answer
+{
+  bool is_asked = true;         // whether the scene is one of those
+  bool is_complete = false;
+  bool is_differing = false;    // from what samples tell
+  std::size_t size = 0;         // arcs or edges
+};
+
+std::vector<Point> samples(const Curves& curves, int count)
+{
+  std::vector<Point> result;
+  for (const auto& curve : curves) {
+    const auto [begin, end] = curve.domain();
+    for (int i = 0; i <= count; ++i)
+      result.push_back(curve(begin + (end - begin) * i / count));
+  }
+  return result;
+}
+
+double number(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+
+Point point(std::mt19937& random, double left, double low, double size)
+{
+  const double x = left + number(random, 0, size), y = low + number(random, 0, size);
+  return Point(x, y);
+}
+
+Point lattice_point(std::mt19937& random, int most)
+{
+  const int x = std::uniform_int_distribution<int>(0, most)(random), y = std::uniform_int_distribution<int>(0, most)(random);
+  return Point(x, y);
+}
+
+// 2 to 50 cubics, each number twice: in cells, or in squares of twice the width around these.
+Answer offset(unsigned scene)
+{
+  constexpr double distance = 0.2;
+  constexpr int queries = 4000;
+  std::mt19937 random(scene);
+  const unsigned count = 2 + scene % 49;
+  const bool are_crossing = scene >= 49;
+  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+  Curves curves;
+  for (unsigned i = 0; i < count; ++i) {
+    std::vector<Point> points;
+    for (int k = 0; k < 4; ++k)
+      points.push_back(point(random, static_cast<int>(i) % columns - (are_crossing ? 0.5 : -0.1), static_cast<int>(i) / columns - (are_crossing ? 0.5 : -0.1), are_crossing ? 2 : 0.8));
+    curves.push_back(SC::bezier_curve(points));
+  }
+  const auto result = SC::trimmed_offset(curves, distance);
+  Answer answer;
+  answer.is_complete = result.is_complete();
+  for (const auto& boundary : result.boundaries())
+    answer.size += boundary.arcs.size();
+  const std::vector<Point> along = samples(curves, 200);
+  const double low = -1, width = columns + 2;
+  int covered = 0;
+  for (int i = 0; i < queries; ++i) {
+    const Point q = point(random, low, low, width);
+    covered += std::any_of(along.begin(), along.end(), [&](const Point& p) { return CGAL::squared_distance(p, q) < distance * distance; });
+  }
+  const double share = static_cast<double>(covered) / queries, deviation = std::sqrt(std::max(share * (1 - share), 1e-3) / queries);
+  answer.is_differing = std::abs(total_area(result.polygons_with_holes(1e-4)) / (width * width) - share) > 5 * deviation;
+  return answer;
+}
+
+Answer lines(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i <= scene % 3; ++i) {
+    std::vector<Point> points;
+    const std::size_t degree = 1 + random() % 3;
+    while (points.size() <= degree)
+      points.push_back(lattice_point(random, 4));
+    if (std::adjacent_find(points.begin(), points.end()) == points.end())
+      curves.push_back(SC::bezier_curve(points));
+  }
+  Answer answer;
+  answer.is_asked = !curves.empty();
+  if (answer.is_asked) {
+    const auto diagram = SC::voronoi_diagram(curves);
+    answer.is_complete = diagram.is_complete();
+    answer.size = diagram.edges().size();
+  }
+  return answer;
+}
+
+Answer hull(unsigned scene)
+{
+  constexpr int directions = 360;
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i <= scene % 20; ++i) {
+    std::vector<Point> points;
+    const std::size_t degree = 1 + random() % 3;
+    while (points.size() <= degree)
+      points.push_back(lattice_point(random, 12));
+    if (i > 0 && random() % 4 == 0)
+      curves.push_back(curves[random() % curves.size()].transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
+    else if (random() % 4 == 0)
+      curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 4)));
+    else if (points.front() != points.back())
+      curves.push_back(SC::bezier_curve(points));
+  }
+  Answer answer;
+  answer.is_asked = !curves.empty();
+  if (!answer.is_asked)
+    return answer;
+  const auto result = SC::convex_hull(curves);
+  answer.is_complete = result.is_complete();
+  answer.size = result.edges().size();
+  const std::vector<Point> along = samples(curves, 400);
+  const CGAL::Polygon_2<K> polygon = result.polygon(1e-6);
+  const auto height = [](const auto& points, const Vector& n) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Point& p : points)
+      most = std::max(most, (p - CGAL::ORIGIN) * n);
+    return most;
+  };
+  for (int i = 0; i < directions && answer.is_complete; ++i) {
+    const Vector n(std::cos(2 * CGAL_PI * i / directions), std::sin(2 * CGAL_PI * i / directions));
+    answer.is_differing = answer.is_differing || std::abs(height(polygon.container(), n) - height(along, n)) > 1e-3;
+  }
+  return answer;
+}
+
+// Around the origin, with a control point in each of eight to twelve directions, of which the first of each piece is a corner.
+Answer kernel(unsigned scene)
+{
+  std::mt19937 random(scene);
+  const int degree = 2 + static_cast<int>(scene % 2), pieces = 4, n = degree * pieces;
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * CGAL_PI * i / n, radius = number(random, 25, 50);
+    points.emplace_back(std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle)));
+  }
+  Curves curves;
+  for (int i = 0; i < n; i += degree) {
+    std::vector<Point> piece;
+    for (int k = 0; k <= degree; ++k)
+      piece.push_back(points[static_cast<std::size_t>((i + k) % n)]);
+    curves.push_back(SC::bezier_curve(piece));
+  }
+  const auto result = SC::region_kernel(SC::planar_region(curves));
+  Answer answer;
+  answer.is_asked = result.has_interior();
+  if (!answer.is_asked)
+    return answer;
+  answer.is_complete = result.is_complete();
+  answer.size = result.edges().size();
+  const auto is_on_the_left_of_all = [&](const Point& p) {
+    for (const auto& curve : curves)
+      for (int i = 0; i <= 100; ++i) {
+        const Point q = curve(i / 100.0);
+        if (CGAL::determinant(curve.tangent(i / 100.0), p - q) < 0)
+          return false;
+      }
+    return true;
+  };
+  const Point centre = result.centre();
+  for (std::size_t e = 0; e < result.edges().size() && answer.is_complete; ++e) {
+    const Vector way = result.source(e) - centre;
+    answer.is_differing = answer.is_differing || !is_on_the_left_of_all(centre + 0.999 * way) || is_on_the_left_of_all(centre + 1.01 * way);
+  }
+  return answer;
+}
+
+Answer bisector(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (const double left : {0.0, 1.0}) {
+    std::vector<Point> points;
+    for (int k = 0; k < 4; ++k)
+      points.push_back(point(random, left, 0, 1));
+    curves.push_back(SC::bezier_curve(points));
+  }
+  const auto result = SC::trimmed_bisector(curves[0], curves[1]);
+  Answer answer;
+  answer.is_complete = result.is_complete();
+  for (const auto& chain : result.chains())
+    answer.size += chain.arcs.size();
+  answer.is_differing = answer.is_complete && result.chains().size() != 1;
+  return answer;
+}
+
+Answer circles(unsigned scene)
+{
+  using Traits = CGAL::Apollonius_graph_traits_2<K>;
+  std::mt19937 random(scene);
+  const double unit = scene % 2 == 0 ? 1 : 0.01;
+  const auto rounded = [&](double low, double high) { return std::round(number(random, low, high) / unit) * unit; };
+  Curves curves;
+  CGAL::Apollonius_graph_2<Traits> graph;
+  for (unsigned i = 0; i < 2 + scene % 8; ++i) {
+    const double x = 10 * (i % 3) + rounded(3, 7), y = 10 * (i / 3) + rounded(3, 7), radius = rounded(1, 2.9);
+    curves.push_back(SC::circle_curve(Point(x, y), radius));
+    graph.insert(Traits::Site_2(Point(x, y), radius));
+  }
+  const auto diagram = SC::voronoi_diagram(curves);
+  Answer answer;
+  answer.is_complete = diagram.is_complete();
+  answer.size = diagram.edges().size();
+  std::size_t faces = 0;
+  for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face, ++faces) {
+    const Point p = Traits().construct_Apollonius_vertex_2_object()(face->vertex(0)->site(), face->vertex(1)->site(), face->vertex(2)->site());
+    answer.is_differing = answer.is_differing || std::none_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && std::sqrt(CGAL::squared_distance(v.point, p)) < 1e-6 * (1 + v.radius); });
+  }
+  const auto branching = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return !v.is_at_infinity && v.edges.size() > 2; });
+  answer.is_differing = answer.is_differing || faces != static_cast<std::size_t>(branching);
+  return answer;
+}
+
+struct Survey
+{
+  std::function<Answer(unsigned)> ask;
+  unsigned scenes;
+};
+
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 100}}, {"circles", {circles, 40}}};
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const auto survey = surveys.find(argc > 1 ? argv[1] : "");
+  if (survey == surveys.end()) {
+    std::cerr << "survey_scenes offsets|lines|hulls|kernels|bisectors|circles [FIRST END]\n";
+    return 2;
+  }
+  const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
+  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, refused = 0;
+  double total = 0, greatest = 0;
+  for (unsigned scene = first; scene < end; ++scene) {
+    const auto begin = std::chrono::steady_clock::now();
+    Answer answer;
+    try {
+      answer = survey->second.ask(scene);
+    } catch (const SC::Invalid_input&) {
+      ++refused;
+      continue;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!answer.is_asked)
+      continue;
+    ++scenes;
+    complete += answer.is_complete;
+    differing += answer.is_differing;
+    size += answer.size;
+    total += seconds;
+    greatest = std::max(greatest, seconds);
+    if (!answer.is_complete || answer.is_differing)
+      std::cout << "scene " << scene << ": " << (answer.is_differing ? "differs from samples" : "not complete") << " (" << seconds << " s)" << std::endl;
+  }
+  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << total << " s, at most " << greatest << " s\n";
+}
