@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +26,13 @@ struct Basic_stretch_disk
   Interval curvature;   // 1 / radius, in units of the length of the normal
   Range other_range;    // of an arc, with the parameter there
   double parameter;     // one of them
+};
+
+// Bounds of the center of a disk and its radius.
+struct Enclosed_disk
+{
+  Interval_pair center{any_number(), any_number()};
+  Interval radius = any_number();
 };
 
 // The disks along stretches of maximal disks: in doubles, and where these do not tell the curvature, with numbers of higher precision.
@@ -64,6 +72,18 @@ public:
     return joint && !(result.curvature.inf() > joint->curvature.inf()) ? with_curvature(m_curvature.part(front, {u, u}), *joint) : result;
   }
 
+  // Bounds of the disk in which a stretch ends, with its radius: of the event in a range of the front next to the end u. Without bounds where nothing is known.
+  Enclosed_disk enclosed(std::size_t front, const Disk_stretch& stretch, double u, const Range& event) const
+  {
+    const Front_part part = m_curvature.part(front, event);
+    if (disk_in_corner(front, stretch, u) || (stretch.corner && u != stretch.end_outside_corner()))
+      return {part.jet.point, Interval(0)};
+    Interval k = certain_curvature(front, stretch, u);
+    if (!event.is_number())
+      k += slope_of_largest_curvature(m_graph, m_curvature, part, stretch.located(u)) * (interval_of<Interval>(event) - Interval(u));
+    return {with_curvature(part, Attained_curvature{k}).center, CGAL::sqrt(squared_norm(part.jet.normal)) / k};
+  }
+
   // The front that the disk touches elsewhere, if that is certain, by doubles or numbers of higher precision.
   std::optional<Touched_front> touched_front(std::size_t front, const Disk_stretch& stretch, double u, bool is_fine) const
   {
@@ -77,6 +97,14 @@ public:
 private:
   template <Enclosing_number Number>
   static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter}; }
+
+  Interval certain_curvature(std::size_t front, const Disk_stretch& stretch, double u) const
+  {
+    if (const auto joint = stretch.contact.kind == Disk_contact::Kind::ARC ? greatest_curvature_at_joint(m_curvature.part(front, {u, u}), stretch.located(u)) : std::nullopt)
+      return joint->curvature;
+    const Interval k = disk(m_graph, m_curvature, front, stretch, u).curvature;
+    return stretch.corner || is_accurate(k) ? k : internal::in_doubles(disk(m_fine_level.graph(), m_fine_level.curvature(), front, stretch, u).curvature);
+  }
 
   static bool is_accurate(const Interval& k) { return k.sup() - k.inf() <= most_error * k.sup(); }
 
@@ -105,8 +133,7 @@ private:
   template <Enclosing_number Number>
   static Basic_attained_curvature<Number> curvature_in_corner(const Disk_stretch& stretch, double u)
   {
-    const double event = stretch.corner->is_end ? stretch.range.begin : stretch.range.end;
-    return {u == event ? Number(stretch.corner->curvature) : any_number<Number>(), stretch.boxes.front().second.range};
+    return {u == stretch.end_outside_corner() ? Number(stretch.corner->curvature) : any_number<Number>(), stretch.boxes.front().second.range};
   }
 
   // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, or where one of both has infinite curvature, there is only the point.
@@ -158,7 +185,7 @@ private:
     if (point.range.begin != own.parameter() || !next || next->arc != other || !located.range.meets({next->parameter(), next->parameter()}) || m_graph.is_pocket(front, own))
       return std::nullopt;
     const Interval a = curvature(own), b = curvature(*next);
-    return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};
+    return Attained_curvature{Interval((std::max)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())), {next->parameter(), next->parameter()}};
   }
 };
 
