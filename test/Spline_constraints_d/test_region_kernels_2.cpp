@@ -229,6 +229,141 @@ TEST(region_kernels_2, random_curves)
   EXPECT_GE(with_arcs, 2);
 }
 
+// Four parabolas that turn left, with a reflex corner at (0,27): the tangent of each arc there bounds the kernel on the side of the other one. Each meets that arc, beside (0,27), where 70 t = 39, and where 415 t = 186.
+TEST(region_kernels_2, reflex_corner_between_arcs)
+{
+  const auto arc = [](const Point& p, const Point& q, const Point& r) { return Curve(2, {0, 0, 0, 1, 1, 1}, {p, q, r}); };
+  const Curves curves{arc({36, 0}, {33, 33}, {0, 27}), arc({0, 27}, {-30, 30}, {-34, 0}), arc({-34, 0}, {-18, -18}, {0, -32}), arc({0, -32}, {19, -19}, {36, 0})};
+  const auto region = SC::planar_region(curves);
+  const auto kernel = SC::region_kernel(region);
+  EXPECT_TRUE(kernel.is_complete());
+  const SC::Exact_rational t0(SC::Exact_rational(39) / 70), t1(SC::Exact_rational(186) / 415);
+  struct Expected
+  {
+    Kind kind;
+    std::size_t curve;
+    SC::Exact_rational begin, end;
+  };
+  const std::vector<Expected> expected{{Kind::ARC, 0, 0, t0}, {Kind::SEGMENT, 1, 0, 0}, {Kind::SEGMENT, 0, 1, 1}, {Kind::ARC, 1, t1, 1}, {Kind::ARC, 2, 0, 1}, {Kind::ARC, 3, 0, 1}};
+  const auto& edges = kernel.edges();
+  ASSERT_EQ(edges.size(), expected.size());
+  const auto first = std::find_if(edges.begin(), edges.end(), [](const SC::Kernel_edge_2& edge) { return edge.kind == Kind::ARC && edge.curve == 0; }) - edges.begin();
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const SC::Kernel_edge_2& edge = edges[(static_cast<std::size_t>(first) + i) % edges.size()];
+    EXPECT_EQ(edge.kind, expected[i].kind) << i;
+    EXPECT_EQ(edge.curve, expected[i].curve) << i;
+    for (const int end : {0, 1}) {
+      const auto& [lower, upper] = edge.parameters[end];
+      const SC::Exact_rational& t = end == 0 ? expected[i].begin : expected[i].end;
+      EXPECT_TRUE(lower <= t && t <= upper) << i;
+      EXPECT_LE(SC::to_nearest_double(SC::Exact_rational(upper - lower)), 1e-12) << i;
+    }
+  }
+  const auto corner = kernel.source_ranges((static_cast<std::size_t>(first) + 2) % edges.size());
+  EXPECT_TRUE(corner[0].first == 0 && corner[0].second == 0 && corner[1].first == 27 && corner[1].second == 27);
+  // Without what these tangents cut off: of an arc of width h, 2/3 h^3 of the triangle of the control points.
+  const SC::Exact_rational h(1 - t0), area(region.area().first - 369 * h * h * h - 304 * t1 * t1 * t1);
+  EXPECT_EQ(region.area().first, region.area().second);
+  EXPECT_TRUE(kernel.area().first <= area && area <= kernel.area().second);
+  expect_area(kernel, SC::to_nearest_double(area));
+}
+
+// The tangent x = 4 at the begin of a parabola passes through the end (4,-6) of another one, where three tangents meet: at a convex corner, and at a reflex one.
+TEST(region_kernels_2, tangent_through_end)
+{
+  const auto region = [](const Point& control) {
+    return Curves{SC::bezier_curve(std::vector<Point>{{4, 0}, {4, 4}, {0, 4}}), SC::bezier_curve(std::vector<Point>{{0, 4}, {-4, 4}, {-4, 0}}), SC::bezier_curve(std::vector<Point>{{-4, 0}, control, {4, -6}}),
+                  SC::polyline_curve(std::vector<Point>{{4, -6}, {6, -6}, {4, 0}})};
+  };
+  const auto expect_end = [](const SC::Region_kernel_2<K>& kernel) {
+    const auto& edges = kernel.edges();
+    const auto tangent = std::find_if(edges.begin(), edges.end(), [](const SC::Kernel_edge_2& edge) { return edge.kind == Kind::SEGMENT && edge.curve == 0; });
+    ASSERT_NE(tangent, edges.end());
+    const auto ranges = kernel.source_ranges(static_cast<std::size_t>(tangent - edges.begin()));
+    EXPECT_TRUE(ranges[0].first == 4 && ranges[0].second == 4 && ranges[1].first == -6 && ranges[1].second == -6);
+  };
+  // Corners (4,0), (3,3), (0,4), (-4,0), (4,-6), between which arcs add 2/3, 16/3 and 8/3.
+  const auto convex = SC::region_kernel(region({0, -4}));
+  EXPECT_TRUE(convex.is_complete());
+  EXPECT_EQ(count_edges(convex, Kind::ARC), 3u);
+  EXPECT_EQ(count_edges(convex, Kind::SEGMENT), 2u);
+  expect_end(convex);
+  expect_area(convex, 158.0 / 3);
+  // The straight part on y = -6 is on the boundary from (4/5,-6) on; arcs add 2/3, 16/3 and 72/25.
+  const auto reflex = SC::region_kernel(region({0, -8}));
+  EXPECT_TRUE(reflex.is_complete());
+  EXPECT_EQ(count_edges(reflex, Kind::ARC), 3u);
+  EXPECT_EQ(count_edges(reflex, Kind::SEGMENT), 3u);
+  expect_end(reflex);
+  expect_area(reflex, 62.48);
+}
+
+// Whether each corner of a polygon is seen from a point: no edge crosses the segment between them.
+bool sees_all(const std::vector<Point>& polygon, const Point& p)
+{
+  const auto side = [](const Point& a, const Point& b, const Point& c) { return CGAL::sign(CGAL::determinant(b - a, c - a)); };
+  const std::size_t n = polygon.size();
+  for (const Point& q : polygon)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point &a = polygon[i], &b = polygon[(i + 1) % n];
+      if (a != q && b != q && side(p, q, a) * side(p, q, b) < 0 && side(a, b, p) * side(a, b, q) < 0)
+        return false;
+    }
+  return true;
+}
+
+// Four pieces around the origin: straight ones, parabolas and cubics, with corners between them.
+Curves random_pieces(std::mt19937& random)
+{
+  std::uniform_int_distribution<int> degree(1, 3), radius(25, 50);
+  const auto at = [&](double angle) {
+    const int r = radius(random);
+    return Point(std::round(r * std::cos(angle)), std::round(r * std::sin(angle)));
+  };
+  std::vector<Point> corners;
+  for (int i = 0; i < 4; ++i)
+    corners.push_back(at(pi * i / 2));
+  Curves result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const int n = degree(random);
+    std::vector<Point> points{corners[i]};
+    for (int k = 1; k < n; ++k)
+      points.push_back(at(pi * (static_cast<double>(i) + static_cast<double>(k) / n) / 2));
+    points.push_back(corners[(i + 1) % 4]);
+    result.push_back(SC::bezier_curve(points));
+  }
+  return result;
+}
+
+// A point is in the kernel if and only if it sees all of the boundary. The chords of a boundary are seen from where it is. In scene 8, a ray of the search passes exactly through a corner.
+TEST(region_kernels_2, random_pieces)
+{
+  int reflex_corners = 0;
+  for (unsigned scene = 0; scene < 12; ++scene) {
+    std::mt19937 random(scene);
+    const Curves curves = random_pieces(random);
+    const auto kernel = SC::region_kernel(curves);
+    ASSERT_TRUE(kernel.has_interior()) << scene;
+    EXPECT_TRUE(kernel.is_complete()) << scene;
+    std::vector<Point> boundary;
+    for (const Curve& curve : curves)
+      for (int i = 0; i < 32; ++i)
+        boundary.push_back(curve(i / 32.0));
+    const auto polygon = kernel.polygon(0.05);
+    const Point o = kernel.centre();
+    for (const Point& p : polygon.container()) {
+      EXPECT_TRUE(sees_all(boundary, o + 0.999 * (p - o))) << scene << ": " << p;
+      EXPECT_FALSE(sees_all(boundary, o + 1.1 * (p - o))) << scene << ": " << p;
+    }
+    for (std::size_t i = 0; i < kernel.edges().size(); ++i) {
+      const auto &edge = kernel.edges()[i], &next = kernel.edges()[(i + 1) % kernel.edges().size()];
+      const auto& [lower, upper] = next.parameters[0];
+      reflex_corners += edge.kind == Kind::SEGMENT && next.kind == Kind::SEGMENT && lower == upper && lower == 1 && edge.curve == (next.curve + 1) % 4 && kernel.source((i + 1) % kernel.edges().size()) == curves[next.curve](1);
+    }
+  }
+  EXPECT_GE(reflex_corners, 4);
+}
+
 TEST(region_kernels_2, no_interior)
 {
   const auto annulus = SC::region_kernel(Curves{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(0, 0), 1.0)});

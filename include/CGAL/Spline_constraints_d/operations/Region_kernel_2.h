@@ -215,7 +215,7 @@ private:
       const std::size_t i = corner.elements[1];
       const internal::Kernel_element_2& element = boundary.elements()[i];
       const auto begin = element.range_of_end(0), end = element.range_of_end(1);
-      const bool is_decided = corner.is_decided && next.is_decided && next.elements[0] == i && (corner.is_joint || is_one_place(corner.summits[1])) && (next.is_joint || is_one_place(next.summits[0]));
+      const bool is_decided = corner.is_decided && next.is_decided && next.elements[0] == i && is_one_place(corner.summits[1]) && is_one_place(next.summits[0]);
       const Bounds source = moved(corner.point);
       if (!is_decided) {
         append(Kernel_edge_kind::UNDECIDED, element, begin, end, source);
@@ -225,11 +225,11 @@ private:
         append(Kernel_edge_kind::SEGMENT, element, begin, begin, source);
         continue;
       }
-      const Place from = corner.is_joint ? Place::INSIDE : corner.summits[1][0].place, to = next.is_joint ? Place::INSIDE : next.summits[0][0].place;
+      const Place from = corner.summits[1][0].place, to = next.summits[0][0].place;
       if (from == Place::BEGIN)
         append(Kernel_edge_kind::SEGMENT, element, begin, begin, source);
       if (from != Place::END && to != Place::BEGIN) {
-        const Parameters first = corner.is_joint || from == Place::BEGIN ? begin : range(corner.summits[1]), last = next.is_joint || to == Place::END ? end : range(next.summits[0]);
+        const Parameters first = from == Place::BEGIN ? begin : range(corner.summits[1]), last = to == Place::END ? end : range(next.summits[0]);
         append(Kernel_edge_kind::ARC, element, first, last, from == Place::BEGIN ? bounds(element, begin) : source);
       }
       if (to == Place::END)

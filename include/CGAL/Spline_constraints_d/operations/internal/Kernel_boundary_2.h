@@ -22,6 +22,7 @@ namespace internal {
 The boundary of a kernel, seen from a point in its interior, the origin: in each direction that element is on it whose height is the greatest one. Heights are convex functions of the direction.
 
 Cones are halved until at most two elements may be on the boundary within: one, or one at the first ray and the other one at the second ray, whose heights change their order once. Elements are left out where the tangents at the ends of the cone, which are below the boundary of the dual hull, are above the chord of their heights.
+More than two may meet in an end of an arc that is known exactly, and there two arcs change their order as often as three times nearby: at a reflex corner between arcs that turn left, the tangent of each one is on the boundary on the side of the other one. Slopes there tell which one is on the boundary before and after it.
 */
 class Kernel_boundary_2
 {
@@ -33,11 +34,9 @@ public:
   // A ray between two successive parts of the boundary is in this cone; which element is on the boundary before and after it.
   struct Corner
   {
-    std::array<Exact_pair, 2> directions;
     std::array<std::size_t, 2> elements;
-    std::array<std::array<Summit, 2>, 2> summits;   // of both elements, each in both directions
-    Vector_bounds<2> point;               // relative to the origin
-    bool is_joint;                        // it is exactly where the first element ends, or the second one begins, or both
+    std::array<std::array<Summit, 2>, 2> summits;   // of both elements, each at both rays of the cone
+    Vector_bounds<2> point;                         // relative to the origin
     bool is_decided;
   };
 
@@ -109,8 +108,11 @@ private:
       candidates = possible(first, second, candidates);
       if (candidates.size() == 1)
         return;
-      if (candidates.size() == 2 && *first.highest != *second.highest && change_once(first, second))
-        return add_corner(first, second);
+      if (*first.highest != *second.highest) {
+        const auto joint = joint_of(first, second, candidates);
+        if (joint ? change_at(*joint, first, second, candidates) : candidates.size() == 2 && change_once(first, second))
+          return add_corner(first, second, joint);
+      }
     }
     if (halvings == most_halvings)
       return add_undecided(first, second, candidates);
@@ -157,12 +159,48 @@ private:
     return m_elements[j].height(first.summits[j]->range, along).lower >= m_elements[i].height(second.summits[i]->range, along).upper;
   }
 
-  void add_corner(Ray first, Ray second)
+  // An end of one of these arcs in the cone, if all elements have its height: arcs with this end, and tangents through it.
+  std::optional<Exact_pair> joint_of(const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates) const
+  {
+    const auto passes_through = [&](std::size_t i, const Exact_pair& point) {
+      const Rational_interval height = m_elements[i].summit(point).height;
+      return height.lower == 1 && height.upper == 1;
+    };
+    for (const std::size_t i : candidates)
+      for (const int end : {0, 1})
+        if (const auto point = m_elements[i].point_of_end(end); point && !m_elements[i].is_line() && exact_cross(first.direction, *point) >= 0 && exact_cross(*point, second.direction) >= 0)
+          if (std::all_of(candidates.begin(), candidates.end(), [&](std::size_t k) { return passes_through(k, *point); }))
+            return point;
+    return std::nullopt;
+  }
+
+  // Whether none of these elements is above the first one before the joint, or above the second one after it. Their heights are the same there, and their slopes increase along the cone.
+  bool change_at(const Exact_pair& joint, const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates) const
   {
     const std::size_t i = *first.highest, j = *second.highest;
-    Corner corner{{first.direction, second.direction}, {i, j}, summits(first, second, i, j), {}, false, true};
-    if (const auto joint = joint_of(i, j); joint && exact_cross(first.direction, *joint) > 0 && exact_cross(*joint, second.direction) > 0) {
-      corner.is_joint = true;
+    const Exact_pair along = exact_difference(second.direction, first.direction);
+    const auto slope = [&](std::size_t element, const Summit& summit) { return m_elements[element].height(summit.range, along); };
+    const Exact_rational before = slope(i, summit_beside(i, joint, 1)).upper, after = slope(j, summit_beside(j, joint, 0)).lower;
+    return std::all_of(candidates.begin(), candidates.end(), [&](std::size_t k) {
+      return (k == i || slope(k, *first.summits[k]).lower >= before) && (k == j || slope(k, *second.summits[k]).upper <= after);
+    });
+  }
+
+  // The summit of an element just before a joint (1), or just after it (0): an arc that ends there, or begins, is passed through.
+  Summit summit_beside(std::size_t element, const Exact_pair& joint, int end) const
+  {
+    if (m_elements[element].point_of_end(end) != joint)
+      return m_elements[element].summit(joint);
+    return {Rational_interval(Exact_rational(1)), Place::INSIDE, m_elements[element].range_of_end(end)};
+  }
+
+  void add_corner(Ray first, Ray second, const std::optional<Exact_pair>& joint)
+  {
+    const std::size_t i = *first.highest, j = *second.highest;
+    Corner corner{{i, j}, summits(first, second, i, j), {}, true};
+    if (joint) {
+      const Summit before = summit_beside(i, *joint, 1), after = summit_beside(j, *joint, 0);
+      corner.summits = {{{before, before}, {after, after}}};
       corner.point = {Rational_interval((*joint)[0]), Rational_interval((*joint)[1])};
     } else if (m_elements[i].is_line() && m_elements[j].is_line()) {
       const Exact_pair a = *m_elements[i].dual_of_end(0), b = *m_elements[j].dual_of_end(0);
@@ -175,28 +213,16 @@ private:
           break;
         (*between.highest == i ? first : second) = std::move(between);
       }
-      corner.directions = {first.direction, second.direction};
       corner.summits = summits(first, second, i, j);
       corner.point = point_between(first, second, {i, j});
     }
     m_corners.push_back(std::move(corner));
   }
 
-  // The point where an arc ends and another one begins, or which the tangent of a line passes through. Their heights are the same there, so that the boundary passes on.
-  std::optional<Exact_pair> joint_of(std::size_t i, std::size_t j) const
-  {
-    const Kernel_element_2 &a = m_elements[i], &b = m_elements[j];
-    const auto is_on = [](const Kernel_element_2& line, const std::optional<Exact_pair>& point) { return point && exact_dot(*line.dual_of_end(0), *point) == 1; };
-    const std::optional<Exact_pair> end = a.point_of_end(1), begin = b.point_of_end(0);
-    if (a.is_line())
-      return !b.is_line() && is_on(a, begin) ? begin : std::nullopt;
-    return (b.is_line() && is_on(b, end)) || (end && end == begin) ? end : std::nullopt;
-  }
-
   void add_undecided(const Ray& first, const Ray& second, const std::vector<std::size_t>& candidates)
   {
     const std::size_t i = first.highest.value_or(candidates.front()), j = second.highest.value_or(candidates.back());
-    m_corners.push_back({{first.direction, second.direction}, {i, j}, summits(first, second, i, j), point_between(first, second, candidates), false, false});
+    m_corners.push_back({{i, j}, summits(first, second, i, j), point_between(first, second, candidates), false});
   }
 
   static std::array<std::array<Summit, 2>, 2> summits(const Ray& first, const Ray& second, std::size_t i, std::size_t j)
