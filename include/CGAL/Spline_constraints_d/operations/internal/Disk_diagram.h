@@ -119,14 +119,14 @@ public:
     if (!vertex.is_resolved || vertex.is_at_infinity)
       return result;
     for (const std::size_t h : vertex.outgoing) {
-      const Enclosed_disk disk = enclosed_disk(m_halfedges[h].parts.front());
+      const Enclosed_disk disk = enclosed_disk(m_halfedges[h].parts.front(), vertex.outgoing.size() == 1);
       result = {common_part(result.center, disk.center), common_part(result.radius, disk.radius)};
     }
     return result;
   }
 
   // Bounds of the disk in which a part begins, in the order of traversal.
-  Enclosed_disk enclosed_disk(const Part& part) const { return m_disks.enclosed(part.front, stretch(part), end_parameter(part, false), range_of_begin(part)); }
+  Enclosed_disk enclosed_disk(const Part& part, bool is_tip = false) const { return m_disks.enclosed(part.front, stretch(part), end_parameter(part, false), range_of_begin(part), is_tip); }
 
   // See Stretch_disks.
   Stretch_disks::Disk estimated_disk(const Part& part, double u) const { return m_disks.estimated(part.front, stretch(part), u); }

@@ -72,13 +72,13 @@ public:
     return joint && !(result.curvature.inf() > joint->curvature.inf()) ? with_curvature(m_curvature.part(front, {u, u}), *joint) : result;
   }
 
-  // Bounds of the disk in which a stretch ends, with its radius: of the event in a range of the front next to the end u. Without bounds where nothing is known.
-  Enclosed_disk enclosed(std::size_t front, const Disk_stretch& stretch, double u, const Range& event) const
+  // Bounds of the disk in which a stretch ends: of the event in a range of the front next to the end u, which may be the tip of a diagram. Without bounds where nothing is known.
+  Enclosed_disk enclosed(std::size_t front, const Disk_stretch& stretch, double u, const Range& event, bool is_tip) const
   {
     const Front_part part = m_curvature.part(front, event);
     if (disk_in_corner(front, stretch, u) || (stretch.corner && u != stretch.end_outside_corner()))
       return {part.jet.point, Interval(0)};
-    Interval k = certain_curvature(front, stretch, u);
+    Interval k = certain_curvature(front, stretch, u, is_tip);
     if (!event.is_number())
       k += slope_of_largest_curvature(m_graph, m_curvature, part, stretch.located(u)) * (interval_of<Interval>(event) - Interval(u));
     return {with_curvature(part, Attained_curvature{k}).center, CGAL::sqrt(squared_norm(part.jet.normal)) / k};
@@ -98,12 +98,15 @@ private:
   template <Enclosing_number Number>
   static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter}; }
 
-  Interval certain_curvature(std::size_t front, const Disk_stretch& stretch, double u) const
+  // Where arcs join smoothly, the disk is no larger than those of their curvatures; in a tip, where its contact arrives at the joint, it is the smaller one.
+  Interval certain_curvature(std::size_t front, const Disk_stretch& stretch, double u, bool is_tip) const
   {
-    if (const auto joint = stretch.contact.kind == Disk_contact::Kind::ARC ? greatest_curvature_at_joint(m_curvature.part(front, {u, u}), stretch.located(u)) : std::nullopt)
-      return joint->curvature;
-    const Interval k = disk(m_graph, m_curvature, front, stretch, u).curvature;
-    return stretch.corner || is_accurate(k) ? k : internal::in_doubles(disk(m_fine_level.graph(), m_fine_level.curvature(), front, stretch, u).curvature);
+    Interval k = disk(m_graph, m_curvature, front, stretch, u).curvature;
+    if (!stretch.corner && !is_accurate(k))
+      k = internal::in_doubles(disk(m_fine_level.graph(), m_fine_level.curvature(), front, stretch, u).curvature);
+    const bool is_smooth = !m_graph.fronts()[front].is_fan && stretch.contact.kind == Disk_contact::Kind::ARC && (u == 0 || u == 1) && m_graph.continuation({m_graph.fronts()[front].object, u == 1});
+    const auto joint = is_smooth ? greatest_curvature_at_joint(m_curvature.part(front, {u, u}), stretch.located(u)) : std::nullopt;
+    return joint ? common_part(k, Interval(joint->curvature.inf(), is_tip ? joint->curvature.sup() : std::numeric_limits<double>::infinity())) : k;
   }
 
   static bool is_accurate(const Interval& k) { return k.sup() - k.inf() <= most_error * k.sup(); }
