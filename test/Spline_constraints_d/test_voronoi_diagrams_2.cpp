@@ -362,25 +362,6 @@ TEST(VoronoiDiagrams, BadInput)
 }
 
 // What is not decided is named. A segment, and curves that begin in one of its ends, in its direction: one of them with curvature zero, so that two sides are not told apart.
-// The incenter of a triangle, and the center of the disk between the axis, the vertex of y = x^2 / 5 + 10 and a point.
-TEST(VoronoiDiagrams, BoundsOfVertices)
-{
-  const auto expect_vertex = [](const Diagram& diagram, double x, double y, double radius) {
-    const auto holds = [](double begin, double z, double end) { return begin <= z + 1e-15 && z <= end + 1e-15 && end - begin < 1e-12; };
-    EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
-      return v.edges.size() == 3 && holds(v.box.xmin(), x, v.box.xmax()) && holds(v.box.ymin(), y, v.box.ymax()) && holds(v.radii[0], radius, v.radii[1]);
-    }), 1);
-  };
-  const double inradius = 1 / (1 + std::sqrt(0.5));   // of a right isosceles triangle with legs of 2: area 2, half the perimeter 2 + sqrt(2)
-  expect_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(2, 0)}), bezier({P(2, 0), P(0, 2)}), bezier({P(0, 2), P(0, 0)})}), inradius, inradius, inradius);
-  expect_vertex(SC::voronoi_diagram(Curves{bezier({P(-15, 0), P(15, 0)}), bezier({P(-5, 15), P(0, 5), P(5, 15)})}, {P(3, 1)}), 0, 5, 5);
-  const Diagram far = SC::voronoi_diagram(Curves(), {P(0, 0), P(1, 0)});
-  for (const auto& vertex : far.vertices()) {
-    EXPECT_TRUE(vertex.is_at_infinity);
-    EXPECT_EQ(vertex.radii, (std::array<double, 2>{0, std::numeric_limits<double>::infinity()}));
-  }
-}
-
 TEST(VoronoiDiagrams, NamesWhatIsUndecided)
 {
   const Curves curves{bezier({P(-2, 0), P(3, 0)}), bezier({P(-2, 0), P(-1, 0), P(-3, 0), P(1, 1)}), bezier({P(-2, 0), P(-1, 0), P(4, 3)})};

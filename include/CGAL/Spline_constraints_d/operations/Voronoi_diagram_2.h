@@ -13,8 +13,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
 #include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
-#include <CGAL/Bbox_2.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,8 +102,6 @@ public:
     std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise; one, if there are no edges
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
-    CGAL::Bbox_2 box;                   ///< that holds it, by proof; all of the plane if it is not resolved, or at infinity
-    std::array<double, 2> radii;        ///< bounds of the radius, by proof; 0 and infinity if it is not resolved, or at infinity
   };
 
   //! an edge.
@@ -320,19 +316,12 @@ private:
     for (const auto& vertex : m_diagram->vertices()) {
       const internal::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
       const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : sample(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
-      add_vertex(at, m_diagram->enclosed_disk(vertex), vertex.is_at_infinity, vertex.is_resolved);
+      m_vertices.push_back({at.point, at.radius, {}, {}, vertex.is_at_infinity, vertex.is_resolved});
     }
     for (const internal::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = sample(part, m_diagram->end_parameter(part, false));
-      add_vertex(at, m_diagram->enclosed_disk(part), false, true);
-      m_vertices.back().contacts.push_back({site_of(m_diagram->front(part)), at.parameters[0]});
+      m_vertices.push_back({at.point, at.radius, {}, {{site_of(m_diagram->front(part)), at.parameters[0]}}, false, true});
     }
-  }
-
-  void add_vertex(const Sample& at, const internal::Enclosed_disk& disk, bool is_at_infinity, bool is_resolved)
-  {
-    const auto& [x, y] = disk.center;
-    m_vertices.push_back({at.point, at.radius, {}, {}, is_at_infinity, is_resolved, CGAL::Bbox_2(x.inf(), y.inf(), x.sup(), y.sup()), {(std::max)(disk.radius.inf(), 0.0), disk.radius.sup()}});
   }
 
   void make_edges()

@@ -112,36 +112,10 @@ public:
 
   const std::shared_ptr<const Fine_level>& fine_level() const { return m_fine_level; }
 
-  // Bounds of the disk of a vertex: what is common to those of the halfedges that begin there. Without bounds if it is not resolved, or at infinity.
-  Enclosed_disk enclosed_disk(const Vertex& vertex) const
-  {
-    Enclosed_disk result;
-    if (!vertex.is_resolved || vertex.is_at_infinity)
-      return result;
-    for (const std::size_t h : vertex.outgoing) {
-      const Enclosed_disk disk = enclosed_disk(m_halfedges[h].parts.front(), vertex.outgoing.size() == 1);
-      result = {common_part(result.center, disk.center), common_part(result.radius, disk.radius)};
-    }
-    return result;
-  }
-
-  // Bounds of the disk in which a part begins, in the order of traversal.
-  Enclosed_disk enclosed_disk(const Part& part, bool is_tip = false) const { return m_disks.enclosed(part.front, stretch(part), end_parameter(part, false), range_of_begin(part), is_tip); }
-
   // See Stretch_disks.
   Stretch_disks::Disk estimated_disk(const Part& part, double u) const { return m_disks.estimated(part.front, stretch(part), u); }
 
 private:
-  // Where the front has the event in which a part begins, in the order of traversal.
-  Range range_of_begin(const Part& part) const
-  {
-    const std::vector<Disk_stretch>& stretches = m_stretches[part.front];
-    const auto& [begin, end] = stretches[part.stretch].range;
-    if (front(part).is_reversed)
-      return {end, part.stretch + 1 < stretches.size() ? stretches[part.stretch + 1].range.begin : end};
-    return {part.stretch > 0 ? stretches[part.stretch - 1].range.end : begin, begin};
-  }
-
   // Calls visit(part, unresolved before it) along a cycle of fronts, and returns whether something behind the last one is unresolved.
   template <class Visit>
   bool traverse(std::size_t first, std::vector<char>& is_visited, const Visit& visit) const

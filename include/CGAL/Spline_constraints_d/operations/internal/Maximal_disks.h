@@ -43,8 +43,6 @@ struct Disk_stretch
   std::vector<std::pair<Range, Located_contact>> boxes{};   // ranges of the front in order, and where the contact is
   std::optional<Corner_end> corner{};                       // where disks are in a pocket, which is smaller than doubles can tell
 
-  double end_outside_corner() const { return corner->is_end ? range.begin : range.end; }
-
   const Located_contact& located(double u) const
   {
     return std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; })->second;

@@ -7,7 +7,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,13 +25,6 @@ struct Basic_stretch_disk
   Interval curvature;   // 1 / radius, in units of the length of the normal
   Range other_range;    // of an arc, with the parameter there
   double parameter;     // one of them
-};
-
-// Bounds of the center of a disk and its radius.
-struct Enclosed_disk
-{
-  Interval_pair center{any_number(), any_number()};
-  Interval radius = any_number();
 };
 
 // The disks along stretches of maximal disks: in doubles, and where these do not tell the curvature, with numbers of higher precision.
@@ -72,18 +64,6 @@ public:
     return joint && !(result.curvature.inf() > joint->curvature.inf()) ? with_curvature(m_curvature.part(front, {u, u}), *joint) : result;
   }
 
-  // Bounds of the disk in which a stretch ends: of the event in a range of the front next to the end u, which may be the tip of a diagram. Without bounds where nothing is known.
-  Enclosed_disk enclosed(std::size_t front, const Disk_stretch& stretch, double u, const Range& event, bool is_tip) const
-  {
-    const Front_part part = m_curvature.part(front, event);
-    if (disk_in_corner(front, stretch, u) || (stretch.corner && u != stretch.end_outside_corner()))
-      return {part.jet.point, Interval(0)};
-    Interval k = certain_curvature(front, stretch, u, is_tip);
-    if (!event.is_number())
-      k += slope_of_largest_curvature(m_graph, m_curvature, part, stretch.located(u)) * (interval_of<Interval>(event) - Interval(u));
-    return {with_curvature(part, Attained_curvature{k}).center, CGAL::sqrt(squared_norm(part.jet.normal)) / k};
-  }
-
   // The front that the disk touches elsewhere, if that is certain, by doubles or numbers of higher precision.
   std::optional<Touched_front> touched_front(std::size_t front, const Disk_stretch& stretch, double u, bool is_fine) const
   {
@@ -97,17 +77,6 @@ public:
 private:
   template <Enclosing_number Number>
   static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter}; }
-
-  // Where arcs join smoothly, the disk is no larger than those of their curvatures; in a tip, where its contact arrives at the joint, it is the smaller one.
-  Interval certain_curvature(std::size_t front, const Disk_stretch& stretch, double u, bool is_tip) const
-  {
-    Interval k = disk(m_graph, m_curvature, front, stretch, u).curvature;
-    if (!stretch.corner && !is_accurate(k))
-      k = internal::in_doubles(disk(m_fine_level.graph(), m_fine_level.curvature(), front, stretch, u).curvature);
-    const bool is_smooth = !m_graph.fronts()[front].is_fan && stretch.contact.kind == Disk_contact::Kind::ARC && (u == 0 || u == 1) && m_graph.continuation({m_graph.fronts()[front].object, u == 1});
-    const auto joint = is_smooth ? greatest_curvature_at_joint(m_curvature.part(front, {u, u}), stretch.located(u)) : std::nullopt;
-    return joint ? common_part(k, Interval(joint->curvature.inf(), is_tip ? joint->curvature.sup() : std::numeric_limits<double>::infinity())) : k;
-  }
 
   static bool is_accurate(const Interval& k) { return k.sup() - k.inf() <= most_error * k.sup(); }
 
@@ -136,7 +105,8 @@ private:
   template <Enclosing_number Number>
   static Basic_attained_curvature<Number> curvature_in_corner(const Disk_stretch& stretch, double u)
   {
-    return {u == stretch.end_outside_corner() ? Number(stretch.corner->curvature) : any_number<Number>(), stretch.boxes.front().second.range};
+    const double event = stretch.corner->is_end ? stretch.range.begin : stretch.range.end;
+    return {u == event ? Number(stretch.corner->curvature) : any_number<Number>(), stretch.boxes.front().second.range};
   }
 
   // Where a front ends in a vertex from which the arc of the contact leads into the half-plane of its normal, or in a cusp, or where one of both has infinite curvature, there is only the point.
@@ -188,7 +158,7 @@ private:
     if (point.range.begin != own.parameter() || !next || next->arc != other || !located.range.meets({next->parameter(), next->parameter()}) || m_graph.is_pocket(front, own))
       return std::nullopt;
     const Interval a = curvature(own), b = curvature(*next);
-    return Attained_curvature{Interval((std::max)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup())), {next->parameter(), next->parameter()}};
+    return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};
   }
 };
 
