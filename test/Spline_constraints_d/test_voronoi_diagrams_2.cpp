@@ -101,6 +101,21 @@ TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
   }
 }
 
+// The disk around (0, 1) touches the vertex of a parabola and a line, or another parabola, and a point on its horizontal diameter: an end of the normals that are looked at together.
+TEST(VoronoiDiagrams, PointBesideVerticesOfParabolas)
+{
+  const Curve above = bezier({P(-1, 3), P(0, 1), P(1, 3)});
+  for (const Curve& below : {bezier({P(-3, 0), P(4, 0)}), bezier({P(-1, -1), P(0, 1), P(1, -1)})})
+    for (const double x : {-1.0, 1.0}) {
+      const Curves curves{below, above};
+      const Diagram diagram = SC::voronoi_diagram(curves, {P(x, 1)});
+      EXPECT_TRUE(diagram.is_complete());
+      expect_euler(diagram);
+      expect_empty_disks(diagram, curves, 0.05, 20);
+      EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && distance(v.point, P(0, 1)) < 1e-12; }), 1);
+    }
+}
+
 // A closed curve of four cubics, nearly a circle, symmetric about its axes and the lines between them.
 Curves rounded_square(double x, double y, double radius, double handle)
 {

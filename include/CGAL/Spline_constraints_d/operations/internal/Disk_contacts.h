@@ -388,12 +388,31 @@ private:
   {
     if (!m_graph.is_exact(other) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return false;
-    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), &tangent = m_graph.direction(other), &p = m_graph.exact_point(m_front, end), q = m_graph.arcs()[other.arc].at(Exact_rational(other.parameter()));
-    const Exact_pair d{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])};
+    return is_touched(other.arc, m_graph.arcs()[other.arc].at(Exact_rational(other.parameter())), m_graph.direction(other), end);
+  }
+
+  // The same for a point of an arc and its tangent there.
+  bool is_touched(std::size_t arc, const Exact_pair& q, const Exact_pair& tangent, bool end) const
+  {
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), d = exact_difference(q, m_graph.exact_point(m_front, end));
     const Exact_rational nt = exact_dot(normal, tangent), dt = exact_dot(d, tangent), dd = exact_dot(d, d);
-    if (m_curvature.is_arc_scaled(other.arc) || sign_of(dd) == 0)
+    if (m_curvature.is_arc_scaled(arc) || sign_of(dd) == 0)
       return sign_of(nt) == 0 && sign_of(dt) == 0;
     return nt * dd == 2 * exact_dot(normal, d) * dt;
+  }
+
+  // Of the disk that touches an arc where a branch has its maximum, if the parameter there is the simplest number.
+  std::optional<Number_with_root> exact_curvature_in_arc(const Disk_branch& branch, bool end) const
+  {
+    if (branch.move || !is_exact_arc(m_graph, branch.contact) || m_curvature.is_arc_scaled(branch.contact.index) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+      return std::nullopt;
+    const Site_arc_2& arc = m_graph.arcs()[branch.contact.index];
+    const Exact_rational v = simplest_rational_between(Exact_rational(branch.range.begin), Exact_rational(branch.range.end));
+    const Exact_pair q = arc.at(v), &p = m_graph.exact_point(m_front, end);
+    const double u = end ? 1 : 0;
+    if (p == q || !is_touched(branch.contact.index, q, arc.derivative_at(v), end) || !is_only_maximum(m_graph, m_curvature, m_curvature.part(m_part.front, {u, u}), {branch.contact, branch.range}, branch))
+      return std::nullopt;
+    return curvature_of_disk_through(q, p, m_graph.exact_normal(m_front, Exact_rational(u)));
   }
 
   // The end of an arc that a branch touches there. It has one maximum, which is there if it is one.
@@ -423,6 +442,8 @@ private:
   {
     if (is_half_plane_at_end(branch, end))
       return Number_with_root{};
+    if (const auto inside = exact_curvature_in_arc(branch, end))
+      return inside;
     const auto touched = touched_end(branch, end);
     const bool is_elsewhere = touched && m_graph.arcs()[touched->arc].at(Exact_rational(touched->parameter())) != m_graph.exact_point(m_front, end);
     return exact_curvature_at_end(is_elsewhere ? Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(*touched)} : branch.contact, end);
