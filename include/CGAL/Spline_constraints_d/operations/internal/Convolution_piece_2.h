@@ -237,6 +237,21 @@ public:
     return certain_sign(b.speed * a.turn() + a.speed * ratio * CGAL::square(ratio) * b.turn());
   }
 
+  /*
+  The same for polynomial arcs that are nearly straight, where products of bounds of derivatives do not tell how they turn: by the Bernstein coefficients of C' x C'', whose errors are small beside them. The moving arc turns to one side, so that parameters of the turning one are between those at both ends.
+  */
+  int sign_of_speed_by_turns(const Range& range) const
+  {
+    const auto is_simple = [](const Site_arc_2& arc) { return arc.is_polynomial() && !arc.has_singular_end(); };
+    if (has_corner() || is_straight() || !is_convex() || !is_simple(turning_arc()) || !is_simple(moving_arc()))
+      return 0;
+    const Range u = united(turning_place<Fine_interval>(range.begin).around, turning_place<Fine_interval>(range.end).around);
+    const auto turn = [&](std::size_t region, const Range& part) { return in_doubles(m_regions[region]->turn_polynomial(element(region).arc)(0, part)); };
+    const Interval_pair a = turning_arc().direction_over(u), b = moving_arc().direction_over(range);
+    const Interval ratio = dot(a, b) / squared_norm(b);
+    return certain_sign(turn(m_turning, u) + ratio * CGAL::square(ratio) * turn(1 - m_turning, range));
+  }
+
   // The arc of a region on the level of a number type.
   template <Enclosing_number Number>
   const Basic_site_arc_2<Number>& arc_on_level(std::size_t region) const

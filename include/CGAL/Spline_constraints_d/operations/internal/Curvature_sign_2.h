@@ -21,6 +21,8 @@ In drawings, round corners are polynomial arcs next to circles; with a disk of t
   |D|^6 - r^2 (D x D')^2,
 
 as long as the derivative D of the moving arc is a polynomial without zeros in the ends.
+
+Polynomial arcs that are nearly straight, but not along an axis, leave both open; there the Bernstein coefficients of D x D' of both arcs tell.
 */
 class Curvature_sign_2
 {
@@ -47,7 +49,10 @@ public:
   {
     if (const int sign = m_piece.sign_of_speed(range); sign != 0 || range.width() > most_width)
       return sign;
-    return has_polynomial() ? sign_by_polynomial(range) : sign_by_mean_value(range);
+    if (has_polynomial())
+      return sign_by_polynomial(range);
+    const int sign = sign_by_mean_value(range);
+    return sign != 0 ? sign : m_piece.sign_of_speed_by_turns(range);
   }
 
   // If the sum is proved to be monotone in a range, with different signs at its ends.

@@ -122,7 +122,7 @@ class Region_elements_2
   {
     std::once_flag is_made;
     std::optional<Fine_arc> arc;
-    std::optional<Basic_polynomial_jet<Fine_interval>> turn;   // while elements are made
+    std::optional<Basic_polynomial_jet<Fine_interval>> turn;
   };
 
   const std::vector<Boundary_loop_2>& m_loops;
@@ -163,6 +163,15 @@ public:
       return m_arcs[index];
     else
       return fine_arc(index);
+  }
+
+  // D x D' of an arc, up to a positive factor, by its Bernstein coefficients: with its sign also where the arc is small or nearly straight. For one thread.
+  const Basic_polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
+  {
+    Arc_on_demand& result = *m_fine_arcs[arc];
+    if (!result.turn)
+      result.turn.emplace(exact_turn(m_arcs[arc]), 0, 0);
+    return *result.turn;
   }
 
   // The joint at the begin (0) or end (1) of an element.
@@ -242,14 +251,6 @@ private:
     if (sign == 0 && range.width() <= most_width)
       sign = certain_sign(turn_polynomial(arc)(0, range));
     return sign == 0 && range.width() <= most_width && (range.begin == 0 || range.end == 1) ? turn_at_end(m_arcs[arc], range) : sign;
-  }
-
-  const Basic_polynomial_jet<Fine_interval>& turn_polynomial(std::size_t arc) const
-  {
-    Arc_on_demand& result = *m_fine_arcs[arc];
-    if (!result.turn)
-      result.turn.emplace(exact_turn(m_arcs[arc]), 0, 0);
-    return *result.turn;
   }
 
   // D x D', up to a positive factor.
