@@ -69,9 +69,9 @@ struct Basic_attained_curvature
 
 using Attained_curvature = Basic_attained_curvature<Interval>;
 
-// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is returned, but for those of the whole range, if the maximum may be there.
+// A maximum of the curvature in a range of an arc: Newton's method for k_v = 0, or k_v / m = 0, with bisection where that leaves the range in which k_v changes its sign. It has these signs for certain at the ends of the range that is returned, but for those of the whole range.
 template <Enclosing_number Interval, class Curvature_at>
-Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range, bool with_ends)
+Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, const Range& range)
 {
   constexpr int most_steps = 60;
   const auto middle = [](const Interval& x) { return x.inf() / 2 + x.sup() / 2; };
@@ -90,7 +90,7 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
   }
   for (double width = 0x1p-51; width < 1; width *= 16) {
     const Range around{(std::max)(v - width, range.begin), (std::min)(v + width, range.end)};
-    const bool grows_before = (with_ends && around.begin == range.begin) || at({around.begin, around.begin}).dv.inf() > 0, falls_behind = (with_ends && around.end == range.end) || at({around.end, around.end}).dv.sup() < 0;
+    const bool grows_before = around.begin == range.begin || at({around.begin, around.begin}).dv.inf() > 0, falls_behind = around.end == range.end || at({around.end, around.end}).dv.sup() < 0;
     if (!grows_before || !falls_behind)
       continue;
     const auto k = at(around), here = at({v, v});
@@ -130,7 +130,7 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
       break;
     pieces = std::move(halves);
   }
-  add(maximal_curvature<Interval>(at, all(), true).parameter);
+  add(maximal_curvature<Interval>(at, all()).parameter);
   double most = least;
   for (const Range& piece : pieces)
     if (const double bound = at(piece).value.sup(); !(bound <= most))
@@ -138,29 +138,27 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
   return {Interval(least, most), all(), best};
 }
 
-// The only maximum of the curvature in a range of an arc that is not too low: if it is in the inside, and else a lower bound; or also if it is in an end, where contacts go over to the next arc, or bounds.
+// The only maximum of the curvature in a range of an arc that is not too low.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located, bool with_ends)
+Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
   const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
   const auto is_known = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf()); };
-  Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range, with_ends);
+  Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
   if (is_known(result))
     return result;
   const Basic_attained_curvature<Interval> bounded = bounded_curvature<Interval>(at, located.range, least);
-  result = maximal_curvature<Interval>(at, bounded.range, with_ends);
-  if (is_known(result))
-    return result;
-  return with_ends ? bounded : Basic_attained_curvature<Interval>{Interval(least, std::numeric_limits<double>::infinity()), bounded.range, bounded.parameter};
+  result = maximal_curvature<Interval>(at, bounded.range);
+  return is_known(result) ? result : bounded;
 }
 
 // The curvature of the disk that touches a front in one point, and a contact.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located, bool with_ends = false)
+Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
   switch (located.contact.kind) {
-  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located, with_ends);
+  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
   case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
   case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
   default: return {Interval(0)};

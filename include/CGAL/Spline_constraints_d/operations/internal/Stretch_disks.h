@@ -84,7 +84,7 @@ private:
   static Basic_stretch_disk<Number> disk(const Basic_site_graph_2<Number>& graph, const Basic_disk_curvature<Number>& curvature, std::size_t front, const Disk_stretch& stretch, double u)
   {
     const Basic_front_part<Number> point = curvature.part(front, {u, u});
-    return with_curvature(point, stretch.corner ? curvature_in_corner<Number>(stretch, u) : largest_curvature(graph, curvature, point, stretch.located(u), true));
+    return with_curvature(point, stretch.corner ? curvature_in_corner<Number>(stretch, u) : largest_curvature(graph, curvature, point, stretch.located(u)));
   }
 
   template <Enclosing_number Number>
