@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
@@ -190,4 +191,34 @@ TEST(FineLevel, RoundedEllipse)
   EXPECT_EQ(diagram.edges().size(), 13U);
   EXPECT_EQ(diagram.vertices().size(), 14U);
   expect_empty_disks(diagram, curves, 0.05, 20);
+}
+
+// A curvature with two equal maxima, which no bounds tell apart: 1 - 8 (v - a)^2 (v - b)^2.
+template <SC::internal::Enclosing_number Interval>
+void expect_bounds_of_two_maxima()
+{
+  const Interval a = Interval(1) / Interval(3), b = Interval(2) / Interval(3);
+  const auto at = [&](const SC::internal::Range& range) {
+    const Interval v = SC::internal::interval_of<Interval>(range), p = (v - a) * (v - b), dp = Interval(2) * v - a - b;
+    SC::internal::Basic_curvature_bounds<Interval> k;
+    k.value = Interval(1) - Interval(8) * CGAL::square(v - a) * CGAL::square(v - b);
+    k.dv = Interval(-16) * p * dp;
+    k.dvv = Interval(-16) * (CGAL::square(dp) + Interval(2) * p);
+    return k;
+  };
+  const auto greatest = SC::internal::bounded_curvature<Interval>(at, {0, 1}, 0);
+  EXPECT_TRUE(greatest.is_attained);
+  EXPECT_LE(greatest.curvature.inf(), 1);
+  EXPECT_GE(greatest.curvature.sup(), 1);
+  EXPECT_LT(greatest.curvature.sup() - greatest.curvature.inf(), 1e-12);
+  EXPECT_LT(greatest.range.begin, 1. / 3);
+  EXPECT_GT(greatest.range.end, 2. / 3);
+  EXPECT_FALSE(SC::internal::bounded_curvature<Interval>(at, {0, 1}, 1.5).is_attained);
+}
+
+TEST(LargestCurvature, TwoMaxima)
+{
+  const SC::Upward_rounding_guard guard;
+  expect_bounds_of_two_maxima<SC::internal::Interval>();
+  expect_bounds_of_two_maxima<SC::internal::Fine_interval>();
 }

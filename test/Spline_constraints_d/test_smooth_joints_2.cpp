@@ -103,6 +103,18 @@ TEST(SmoothJoints, Branch)
   expect_empty_disks(diagram, curves);
 }
 
+// Disks in the corner touch the segment that goes on as a curve, but in its joint only larger ones than those that touch the curve.
+TEST(SmoothJoints, MaximumBehindTheJoint)
+{
+  const Curves curves{bezier({P(0, 32000), P(0, 0)}), bezier({P(0, 0), P(1500, 0)}), bezier({P(1500, 0), P(5500, 0), P(9000, 1800), P(12000, 2500)}),
+                      bezier({P(6000, -4000), P(6000, 31000)}), bezier({P(2814, -6000), P(2814, 639)}), bezier({P(2814, 639), P(15500, 4029)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_GT(diagram.edges().size(), 0U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 // Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles are.
 TEST(SmoothJoints, RandomClosedSplines)
 {

@@ -48,6 +48,7 @@ class Basic_disk_candidates
 
 public:
   static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
+  static constexpr std::size_t most_parts = 4000;       // of candidates; more would be needed only where disks nearly have the curvature of a curve along much of that
 
   Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
 
@@ -110,13 +111,13 @@ public:
         open.pop();
         if (is_low(pool[i]))
           continue;
-        if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates)
+        if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates || pool.size() > most_parts)
           settled.push_back(i);
         else
           split(part, pool[i], parts);
       }
       std::erase_if(settled, [&](std::size_t i) { return is_low(pool[i]); });
-      if (settled.size() <= most_candidates)
+      if (settled.size() <= most_candidates && pool.size() <= most_parts)
         std::erase_if(settled, [&](std::size_t i) {
           const bool was_too_early = !is_small(part, pool[i], attained.least);
           if (was_too_early)

@@ -172,8 +172,10 @@ private:
     for (const bool end : {false, true})
       if (cluster.touches(end)) {
         const Curvature_bounds k = at(m_part, Arc_end{cluster.arc, end});
-        if (k.value.sup() < m_least)
+        if (k.value.sup() < m_least) {   // the maximum in the next arc may still matter
+          ends[end] = End_state::TOO_LOW;
           continue;
+        }
         if (!(k.value.inf() >= m_least))
           return false;
         const int sign = certain_sign(k.dv) * (end ? 1 : -1);

@@ -65,6 +65,7 @@ struct Basic_attained_curvature
   Interval curvature;
   Range range{};
   double parameter = range.middle();
+  bool is_attained = true;   // else it may be less than the lower bound, and does not matter then
 };
 
 using Attained_curvature = Basic_attained_curvature<Interval>;
@@ -103,12 +104,13 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
   return {any_number<Interval>(), {v, v}};
 }
 
-// Branch and bound: the greatest curvature in a range, if it is not less than some number, and a range that holds its parameters: no longer divided where it is known to have one maximum in the inside, or is shorter than doubles tell, or in too many pieces.
+// Branch and bound: the greatest curvature in a range, if it is not less than some number, and a range that holds its parameters: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter than doubles tell, or too many.
 template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
 {
   constexpr std::size_t most_pieces = 16;
   constexpr double least_width = 0x1p-50;
+  const double unproved = least;
   std::vector<Range> pieces{range};
   double best = range.middle();
   const auto add = [&](double v) {
@@ -118,7 +120,7 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
   const auto all = [&] { return Range{pieces.front().begin, pieces.back().end}; };
   const auto slope_at = [&](double v) { return at({v, v}).dv; };
   const auto has_one_maximum = [&](const Range& r) { return at(r).dvv.sup() < 0 && slope_at(r.begin).inf() > 0 && slope_at(r.end).sup() < 0; };
-  while (pieces.size() < most_pieces && all().width() > least_width && !has_one_maximum(all())) {
+  while (pieces.size() < most_pieces && pieces.front().width() > least_width && !has_one_maximum(all())) {
     std::vector<Range> halves;
     for (const Range& piece : pieces) {
       const double middle = piece.middle();
@@ -135,7 +137,7 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
   for (const Range& piece : pieces)
     if (const double bound = at(piece).value.sup(); !(bound <= most))
       most = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
-  return {Interval(least, most), all(), best};
+  return {Interval(least, most), all(), best, least > unproved};
 }
 
 // The only maximum of the curvature in a range of an arc that is not too low.
@@ -226,7 +228,7 @@ Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2
   const Basic_attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
   Basic_curvature_expansion<Interval> result;
   result.slope = slope_of_largest_curvature(graph, curvature, part, located);
-  if (!std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
+  if (!greatest.is_attained || !std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
     return result;
   Located_contact here = located;
   here.range = greatest.range;
