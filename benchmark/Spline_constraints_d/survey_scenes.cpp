@@ -3,22 +3,28 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|hulls|kernels|bisectors|circles [FIRST END]
+//   survey_scenes offsets|lines|crossings|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
 // - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents.
+// - crossings: diagrams of 2 to 12 cubics in one square; the radii of vertices beside the distance from samples.
+// - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what has other numbers of sites, vertices or edges than without these.
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
-// - bisectors: of two cubics in neighbouring squares; differing is what is not one chain.
+// - bisectors: of two cubics in neighbouring squares; differing is what is not one chain. From scene 100 on, of two cubics in one square.
+// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples.
+// - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
 #include <CGAL/Apollonius_graph_2.h>
@@ -73,6 +79,22 @@ Point point(std::mt19937& random, double left, double low, double size)
 {
   const double x = left + number(random, 0, size), y = low + number(random, 0, size);
   return Point(x, y);
+}
+
+SC::Bspline_curve_2<K> cubic(std::mt19937& random, double left)
+{
+  std::vector<Point> points;
+  for (int k = 0; k < 4; ++k)
+    points.push_back(point(random, left, 0, 1));
+  return SC::bezier_curve(points);
+}
+
+double distance(const Point& p, const std::vector<Point>& along)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const Point& q : along)
+    result = std::min(result, CGAL::squared_distance(p, q));
+  return std::sqrt(result);
 }
 
 Point lattice_point(std::mt19937& random, int most)
@@ -133,6 +155,39 @@ Answer lines(unsigned scene)
     answer.is_complete = diagram.is_complete();
     answer.size = diagram.edges().size();
   }
+  return answer;
+}
+
+Answer crossings(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i < 2 + scene % 11; ++i)
+    curves.push_back(cubic(random, 0));
+  const auto diagram = SC::voronoi_diagram(curves);
+  Answer answer;
+  answer.is_complete = diagram.is_complete();
+  answer.size = diagram.edges().size();
+  const std::vector<Point> along = samples(curves, 1000);
+  answer.is_differing = std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && std::abs(distance(v.point, along) - v.radius) > 5e-3; });
+  return answer;
+}
+
+Answer copies(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i < 2 + scene % 5; ++i)
+    curves.push_back(cubic(random, 0));
+  const auto expected = SC::voronoi_diagram(curves);
+  for (std::size_t i = 0, count = curves.size(); i < count; ++i)
+    if (i == 0 || random() % 2 == 0)
+      curves.push_back(random() % 2 == 0 ? curves[i] : curves[i].reversed());
+  const auto diagram = SC::voronoi_diagram(curves);
+  Answer answer;
+  answer.is_complete = diagram.is_complete();
+  answer.size = diagram.edges().size();
+  answer.is_differing = diagram.sites().size() != expected.sites().size() || diagram.vertices().size() != expected.vertices().size() || diagram.edges().size() != expected.edges().size();
   return answer;
 }
 
@@ -218,20 +273,87 @@ Answer kernel(unsigned scene)
 
 Answer bisector(unsigned scene)
 {
+  const bool is_one_square = scene >= 100;
   std::mt19937 random(scene);
-  Curves curves;
-  for (const double left : {0.0, 1.0}) {
-    std::vector<Point> points;
-    for (int k = 0; k < 4; ++k)
-      points.push_back(point(random, left, 0, 1));
-    curves.push_back(SC::bezier_curve(points));
-  }
-  const auto result = SC::trimmed_bisector(curves[0], curves[1]);
+  const auto first = cubic(random, 0), second = cubic(random, is_one_square ? 0 : 1);
+  const auto result = SC::trimmed_bisector(first, second);
   Answer answer;
   answer.is_complete = result.is_complete();
   for (const auto& chain : result.chains())
     answer.size += chain.arcs.size();
-  answer.is_differing = answer.is_complete && result.chains().size() != 1;
+  answer.is_differing = answer.is_complete && !is_one_square && result.chains().size() != 1;
+  return answer;
+}
+
+Answer sectors(unsigned scene)
+{
+  std::mt19937 random(scene);
+  const auto first = cubic(random, 0), second = cubic(random, 0);
+  const std::vector<Point> along_first = samples({first}, 2000), along_second = samples({second}, 2000);
+  Answer answer;
+  answer.is_complete = true;
+  for (const double alpha : {1 / 8., 1 / 4., 3 / 8., 5 / 8., 3 / 4., 7 / 8.}) {
+    const auto result = SC::trimmed_alpha_sector(first, second, alpha);
+    answer.is_complete = answer.is_complete && result.is_complete();
+    answer.size += result.arcs().size();
+    for (std::size_t i = 0; i < result.arcs().size(); ++i)
+      for (const auto& sample : result.polyline(i, 0.1))
+        answer.is_differing = answer.is_differing || (sample.distances[0] + sample.distances[1] < 5 && (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 || std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
+  }
+  return answer;
+}
+
+// How far a ray from a point in a direction goes before it meets a chain.
+double sight(const Point& p, const Vector& ray, const std::vector<std::vector<Point>>& chains)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for (const auto& chain : chains)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const double from = CGAL::determinant(ray, chain[i] - p), to = CGAL::determinant(ray, chain[i + 1] - p);
+      if ((from < 0) == (to < 0))
+        continue;
+      const double along = (chain[i] + from / (from - to) * (chain[i + 1] - chain[i]) - p) * ray;
+      if (along > 1e-3)   // others pass through the viewpoint
+        result = std::min(result, along);
+    }
+  return result;
+}
+
+Answer visible(unsigned scene)
+{
+  constexpr int rays = 200;
+  std::mt19937 random(scene);
+  Curves curves{SC::circle_curve(Point(6, 6), 20.0)};
+  for (unsigned i = 0; i <= scene % 8; ++i) {
+    std::vector<Point> points;
+    const std::size_t degree = 1 + random() % 3;
+    while (points.size() <= degree)
+      points.push_back(lattice_point(random, 12));
+    if (random() % 3 == 0)
+      curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 3)));
+    else if (std::adjacent_find(points.begin(), points.end()) == points.end())
+      curves.push_back(SC::bezier_curve(points));
+  }
+  const Point viewpoint = scene % 5 == 0 ? curves.back()(curves.back().domain().first) : lattice_point(random, 12);
+  const auto result = SC::visible_part(viewpoint, curves);
+  Answer answer;
+  answer.is_complete = result.is_complete();
+  answer.size = result.edges().size();
+  std::vector<std::vector<Point>> chains, seen;
+  for (const auto& curve : curves)
+    chains.push_back(samples({curve}, 2000));
+  for (std::size_t i = 0; i < result.edges().size(); ++i)
+    if (result.edges()[i].kind == SC::Visible_edge_kind::ARC)
+      seen.push_back(result.polyline(i, 1e-4));
+  for (int k = 0; k < rays; ++k) {
+    const double angle = number(random, 0, 2 * CGAL_PI);
+    const bool is_near_vertex = std::any_of(result.edges().begin(), result.edges().end(), [&](const auto& edge) {
+      const Vector way = result.point(edge.source) - viewpoint;
+      return std::abs(std::remainder(std::atan2(way.y(), way.x()) - angle, 2 * CGAL_PI)) < 0.01;
+    });
+    const Vector ray(std::cos(angle), std::sin(angle));
+    answer.is_differing = answer.is_differing || (!is_near_vertex && std::abs(sight(viewpoint, ray, chains) - sight(viewpoint, ray, seen)) > 0.02);
+  }
   return answer;
 }
 
@@ -268,7 +390,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 100}}, {"circles", {circles, 40}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}};
 
 } // namespace
 
@@ -276,7 +398,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|hulls|kernels|bisectors|circles [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
