@@ -7,8 +7,8 @@
 //
 // Scenes are those with the numbers from FIRST to before END.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
-// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents.
-// - crossings: diagrams of 2 to 12 cubics in one square; the radii of vertices beside the distance from samples.
+// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the same.
+// - crossings: diagrams of 2 to 12 cubics in one square; the disks of samples of edges beside samples of curves.
 // - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what has other numbers of sites, vertices or edges than without these.
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
@@ -103,6 +103,16 @@ Point lattice_point(std::mt19937& random, int most)
   return Point(x, y);
 }
 
+// The control points of a curve of degree one to three.
+std::vector<Point> lattice_points(std::mt19937& random, int most)
+{
+  std::vector<Point> result;
+  const std::size_t degree = 1 + random() % 3;
+  while (result.size() <= degree)
+    result.push_back(lattice_point(random, most));
+  return result;
+}
+
 // 2 to 50 cubics, each number twice: in cells, or in squares of twice the width around these.
 Answer offset(unsigned scene)
 {
@@ -136,26 +146,38 @@ Answer offset(unsigned scene)
   return answer;
 }
 
+// Of a diagram: the disks of samples of edges touch both sites, and none contains a sample of a curve.
+Answer answer_of_diagram(const Curves& curves)
+{
+  constexpr double error = 0.01, most_radius = 100, most_difference = 1e-8;
+  const auto diagram = SC::voronoi_diagram(curves);
+  Answer answer;
+  answer.is_complete = diagram.is_complete();
+  answer.size = diagram.edges().size();
+  const std::vector<Point> along = samples(curves, 500);
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, error, most_radius)) {
+      const double allowed = most_difference * (1 + sample.radius);
+      for (std::size_t side = 0; side < 2; ++side) {
+        const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
+        const Point foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
+        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(sample.point, foot)) - sample.radius) < allowed);
+      }
+      answer.is_differing = answer.is_differing || !(distance(sample.point, along) > sample.radius - allowed);
+    }
+  return answer;
+}
+
 Answer lines(unsigned scene)
 {
   std::mt19937 random(scene);
   Curves curves;
   for (unsigned i = 0; i <= scene % 3; ++i) {
-    std::vector<Point> points;
-    const std::size_t degree = 1 + random() % 3;
-    while (points.size() <= degree)
-      points.push_back(lattice_point(random, 4));
+    const std::vector<Point> points = lattice_points(random, 4);
     if (std::adjacent_find(points.begin(), points.end()) == points.end())
       curves.push_back(SC::bezier_curve(points));
   }
-  Answer answer;
-  answer.is_asked = !curves.empty();
-  if (answer.is_asked) {
-    const auto diagram = SC::voronoi_diagram(curves);
-    answer.is_complete = diagram.is_complete();
-    answer.size = diagram.edges().size();
-  }
-  return answer;
+  return curves.empty() ? Answer{false} : answer_of_diagram(curves);
 }
 
 Answer crossings(unsigned scene)
@@ -164,13 +186,7 @@ Answer crossings(unsigned scene)
   Curves curves;
   for (unsigned i = 0; i < 2 + scene % 11; ++i)
     curves.push_back(cubic(random, 0));
-  const auto diagram = SC::voronoi_diagram(curves);
-  Answer answer;
-  answer.is_complete = diagram.is_complete();
-  answer.size = diagram.edges().size();
-  const std::vector<Point> along = samples(curves, 1000);
-  answer.is_differing = std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return !v.is_at_infinity && std::abs(distance(v.point, along) - v.radius) > 5e-3; });
-  return answer;
+  return answer_of_diagram(curves);
 }
 
 Answer copies(unsigned scene)
@@ -197,10 +213,7 @@ Answer hull(unsigned scene)
   std::mt19937 random(scene);
   Curves curves;
   for (unsigned i = 0; i <= scene % 20; ++i) {
-    std::vector<Point> points;
-    const std::size_t degree = 1 + random() % 3;
-    while (points.size() <= degree)
-      points.push_back(lattice_point(random, 12));
+    const std::vector<Point> points = lattice_points(random, 12);
     if (i > 0 && random() % 4 == 0)
       curves.push_back(curves[random() % curves.size()].transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
     else if (random() % 4 == 0)
@@ -325,10 +338,7 @@ Answer visible(unsigned scene)
   std::mt19937 random(scene);
   Curves curves{SC::circle_curve(Point(6, 6), 20.0)};
   for (unsigned i = 0; i <= scene % 8; ++i) {
-    std::vector<Point> points;
-    const std::size_t degree = 1 + random() % 3;
-    while (points.size() <= degree)
-      points.push_back(lattice_point(random, 12));
+    const std::vector<Point> points = lattice_points(random, 12);
     if (random() % 3 == 0)
       curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 3)));
     else if (std::adjacent_find(points.begin(), points.end()) == points.end())

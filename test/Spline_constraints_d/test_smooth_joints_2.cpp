@@ -115,6 +115,17 @@ TEST(SmoothJoints, MaximumBehindTheJoint)
   expect_empty_disks(diagram, curves);
 }
 
+// Next to the end of a curve, a segment goes on: the disks through its points there have a maximum, and negative curvatures elsewhere, which have one, too.
+TEST(SmoothJoints, EndNextToSegment)
+{
+  const Curves curves{quarter(P(0, 8), V(-8, 0), V(0, -8)), bezier({P(0, 0), P(0.25, 0), P(3, 0), P(5.75, -3)}), bezier({P(-1, -2.5), P(8, -3.25)}), bezier({P(-1.75, -9), P(-1.125, -10.75)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_GT(diagram.edges().size(), 0U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 // Closed splines with one and two continuous derivatives, with control points and knots on a grid: as exact as doubles are.
 TEST(SmoothJoints, RandomClosedSplines)
 {
