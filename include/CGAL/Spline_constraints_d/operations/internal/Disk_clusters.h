@@ -185,7 +185,6 @@ private:
     if (ends_among_them == 2 && !m_graph.arcs()[cluster.arc].is_straight())   // they may be connected by the rest of the circle
       return false;
     cluster.ends = ends;
-    cluster.least = m_least;
     return true;
   }
 
