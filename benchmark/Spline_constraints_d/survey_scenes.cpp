@@ -7,8 +7,8 @@
 //
 // Scenes are those with the numbers from FIRST to before END.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
-// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the same.
-// - crossings: diagrams of 2 to 12 cubics in one square; the disks of samples of edges beside samples of curves.
+// - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the disks of samples of edges beside samples of curves.
+// - crossings: diagrams of 2 to 12 cubics in one square; the same.
 // - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what has other numbers of sites, vertices or edges than without these.
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
