@@ -213,7 +213,10 @@ void expect_bounds_of_two_maxima()
   EXPECT_LT(greatest.curvature.sup() - greatest.curvature.inf(), 1e-12);
   EXPECT_LT(greatest.range.begin, 1. / 3);
   EXPECT_GT(greatest.range.end, 2. / 3);
-  EXPECT_FALSE(SC::internal::bounded_curvature<Interval>(at, {0, 1}, 1.5).is_attained);
+  const auto lower = SC::internal::bounded_curvature<Interval>(at, {0, 1}, 1.5);   // than what is asked for
+  EXPECT_FALSE(lower.is_attained);
+  EXPECT_LE(lower.curvature.inf(), 1);
+  EXPECT_GE(lower.curvature.sup(), 1);
 }
 
 TEST(LargestCurvature, TwoMaxima)

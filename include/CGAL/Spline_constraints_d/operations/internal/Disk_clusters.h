@@ -126,7 +126,7 @@ private:
   }
 
   // Disks that touch the front in one point are nested, and a line or circle meets the boundary of each in two points at most: whether those of its points through which there are disks of at least some positive curvature are connected.
-  bool are_connected(std::size_t arc) const { return m_least > 0 && m_graph.arcs()[arc].is_on_line_or_circle() && !m_curvature.is_arc_scaled(arc); }
+  bool are_connected(std::size_t arc) const { return m_least > 0 && m_graph.arcs()[arc].is_on_line_or_circle() && !m_graph.arcs()[arc].turns_back() && !m_curvature.is_arc_scaled(arc); }
 
   // Also finds out about maxima in the ends.
   bool has_one_maximum(Cluster& cluster) const
@@ -185,6 +185,7 @@ private:
     if (ends_among_them == 2 && !m_graph.arcs()[cluster.arc].is_straight())   // they may be connected by the rest of the circle
       return false;
     cluster.ends = ends;
+    cluster.least = std::numeric_limits<double>::min();   // all points where it is positive are connected
     return true;
   }
 
@@ -201,7 +202,7 @@ private:
   std::optional<bool> nearest_end_on_line_through_fan(std::size_t arc) const
   {
     const Site_arc_2& segment = m_graph.arcs()[arc];
-    if (!m_front.is_fan || !segment.is_straight() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_front.object].is_exact)
+    if (!m_front.is_fan || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_front.object].is_exact)
       return std::nullopt;
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
     const typename Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];

@@ -28,7 +28,7 @@ class Exact_arc_2
   std::array<Bernstein_tensor<Exact_rational>, 2> m_tangent;    // the derivative without these zeros, where there are any
   bool m_is_polynomial = true;
   std::array<bool, 2> m_is_curvature_stationary{}, m_is_curvature_zero{};   // in both ends
-  bool m_is_straight = true, m_is_segment = false;
+  bool m_is_straight = true, m_is_segment = false, m_turns_back = false;
   std::optional<std::pair<Exact_pair, Exact_rational>> m_circle;   // center, squared radius
 
 public:
@@ -47,6 +47,7 @@ public:
     m_is_segment = m_is_straight && m_is_polynomial && is_linear(m_piece.coordinates[0]) && is_linear(m_piece.coordinates[1]);
     if (!m_is_straight)
       m_circle = circle_through_all_points();
+    m_turns_back = is_on_line_or_circle() && !goes_one_way();
     if (!m_is_straight && !m_circle && sign_of(error) == 0)
       for (const bool end : {false, true})
         if (m_zeros[end] == 0) {
@@ -70,6 +71,9 @@ public:
   const std::optional<std::pair<Exact_pair, Exact_rational>>& circle() const { return m_circle; }
 
   bool is_on_line_or_circle() const { return m_is_straight || m_circle; }
+
+  // Whether an arc on a line or circle may pass through a point more than once.
+  bool turns_back() const { return m_turns_back; }
 
   // Whether a point is on the line of a straight arc, or on the circle of another one.
   bool is_on_line_or_circle(const Exact_pair& p) const
@@ -206,6 +210,18 @@ private:
   {
     const Numerators x = numerators_at(t);
     return sign_of(exact_cross(x.d0, x.d1)) == 0;
+  }
+
+  // By the signs of the Bernstein coefficients of <X', B - A>, or X' x (X - C), of an arc from A to B, or around C.
+  bool goes_one_way() const
+  {
+    const auto d = derivative_numerators();
+    const auto& [x, y, w] = m_piece.coordinates;
+    const Exact_pair a = at(0), b = at(1);
+    const Bernstein_tensor<Exact_rational> way = m_is_straight ? d[0] * Exact_rational(b[0] - a[0]) + d[1] * Exact_rational(b[1] - a[1])
+                                                              : d[0] * (y - w * m_circle->first[1]) - d[1] * (x - w * m_circle->first[0]);
+    const auto have_sign = [&](int sign) { return std::ranges::all_of(way.coefficients(), [&](const Exact_rational& c) { return sign_of(c) * sign >= 0; }); };
+    return have_sign(1) || have_sign(-1);
   }
 
   // Of X' w^2. With Bernstein coefficients b_i of degree n, those of the quotient by t are n b_(i+1) / (i+1), and by 1-t, n b_i / (n-i).

@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  bool is_segment(const Disk_candidate& c) const { return c.kind == Candidate_kind::ARC && m_graph.arcs()[c.index].is_straight() && m_graph.are_ends_exact(c.index); }
+  bool is_segment(const Disk_candidate& c) const { return c.kind == Candidate_kind::ARC && m_graph.arcs()[c.index].is_straight() && !m_graph.arcs()[c.index].turns_back() && m_graph.are_ends_exact(c.index); }
 
   // Whether the tangent with a normal is in front of the part, which is concave.
   bool is_in_front(const Exact_pair& normal) const

@@ -104,40 +104,44 @@ Basic_attained_curvature<Interval> maximal_curvature(const Curvature_at& at, con
   return {any_number<Interval>(), {v, v}};
 }
 
-// Branch and bound: the greatest curvature in a range, if it is not less than some number, and a range that holds its parameters: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter than doubles tell, or too many.
+// Branch and bound: the greatest curvature in a range, and a range that holds its parameters if it is not less than some number: no longer divided where it is known to have one maximum in the inside, or in pieces that are shorter than doubles tell, or too many.
 template <Enclosing_number Interval, class Curvature_at>
 Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, const Range& range, double least)
 {
   constexpr std::size_t most_pieces = 16;
-  constexpr double least_width = 0x1p-50;
-  const double unproved = least;
+  constexpr double least_width = 0x1p-50, infinity = std::numeric_limits<double>::infinity();
   std::vector<Range> pieces{range};
-  double best = range.middle();
+  double best = range.middle(), attained = -infinity;
   const auto add = [&](double v) {
-    if (const double bound = at({v, v}).value.inf(); bound > least)
-      std::tie(least, best) = std::pair(bound, v);
+    if (const double bound = at({v, v}).value.inf(); bound > attained)
+      std::tie(attained, best) = std::pair(bound, v);
   };
   const auto all = [&] { return Range{pieces.front().begin, pieces.back().end}; };
   const auto slope_at = [&](double v) { return at({v, v}).dv; };
   const auto has_one_maximum = [&](const Range& r) { return at(r).dvv.sup() < 0 && slope_at(r.begin).inf() > 0 && slope_at(r.end).sup() < 0; };
-  while (pieces.size() < most_pieces && pieces.front().width() > least_width && !has_one_maximum(all())) {
+  bool is_only = has_one_maximum(all());
+  while (pieces.size() < most_pieces && pieces.front().width() > least_width && !is_only) {
     std::vector<Range> halves;
     for (const Range& piece : pieces) {
       const double middle = piece.middle();
       add(middle);
       halves.insert(halves.end(), {{piece.begin, middle}, {middle, piece.end}});
     }
-    std::erase_if(halves, [&](const Range& half) { return at(half).value.sup() < least; });
+    std::erase_if(halves, [&](const Range& half) { return at(half).value.sup() < (std::max)(least, attained); });
     if (halves.empty())
-      break;
+      return {Interval(attained, (std::max)(attained, least)), range, best, false};
     pieces = std::move(halves);
+    is_only = has_one_maximum(all());
   }
-  add(maximal_curvature<Interval>(at, all()).parameter);
-  double most = least;
+  const Basic_attained_curvature<Interval> top = maximal_curvature<Interval>(at, all());
+  add(top.parameter);
+  double most = -infinity;
   for (const Range& piece : pieces)
     if (const double bound = at(piece).value.sup(); !(bound <= most))
-      most = std::isfinite(bound) ? bound : std::numeric_limits<double>::infinity();
-  return {Interval(least, most), all(), best, least > unproved};
+      most = std::isfinite(bound) ? bound : infinity;
+  if (is_only)
+    most = (std::min)(most, top.curvature.sup());
+  return {Interval(attained, (std::max)({attained, most, least})), all(), best, attained >= least};
 }
 
 // The only maximum of the curvature in a range of an arc that is not too low.

@@ -209,8 +209,8 @@ private:
       return append_pocket(part, candidates, least) || append_tip(part, candidates, least);
     const std::vector<Disk_branch> highest = contacts.highest();
     if (highest.size() == 1)
-      return append_branch(contacts, part.range, highest[0]);
-    if (highest.size() == 2 && append_crossing(contacts, part.range, highest[0], highest[1]))
+      return append_branch(contacts, part, highest[0]);
+    if (highest.size() == 2 && append_crossing(contacts, part, highest[0], highest[1]))
       return true;
     return part.range.width() < exact_width && append_common_disk(contacts, part, highest);
   }
@@ -237,7 +237,7 @@ private:
       return false;
     const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
     const Interval_pair middle = center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
-    return is_disk_common(part, branches, middle) && append_change(part.range, true, sign_at, *first, *last, Disk_event::CROSSING);
+    return is_disk_common(part, branches, middle) && append_change(part, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
   // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies, or has a rational border.
@@ -304,7 +304,7 @@ private:
     }
     const auto contacts = tip.vertex_and_arc(candidates);
     const auto sign_at = [&](double u) { return tip.sign(m_curvature, *m_slopes, *contacts, u, least); };
-    return contacts && append_change(part.range, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
+    return contacts && append_change(part, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
   }
 
   // About the centers of the disks over a part of a front, with one contact where it begins and another one where it ends.
@@ -318,24 +318,24 @@ private:
     return hull(at(part.range.begin, first), at(part.range.end, last));
   }
 
-  bool append_branch(const Disk_contacts& contacts, const Range& range, const Disk_branch& branch)
+  bool append_branch(const Disk_contacts& contacts, const Front_part& part, const Disk_branch& branch)
   {
     if (!branch.move) {
-      append(branch, range);
+      append(branch, part.range);
       return true;
     }
     const auto sign = [&](double u) { return contacts.sign_of_move(branch, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(range, u, sign, [&](bool end) { return contacts.is_move_at_end(branch, end); }); };
-    return append_change(range, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return contacts.is_move_at_end(branch, end); }); };
+    return append_change(part, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
   }
 
-  bool append_crossing(const Disk_contacts& contacts, const Range& range, const Disk_branch& first, const Disk_branch& second)
+  bool append_crossing(const Disk_contacts& contacts, const Front_part& part, const Disk_branch& first, const Disk_branch& second)
   {
     if (first.move || second.move)
       return false;
     const auto sign = [&](double u) { return contacts.compare(first, second, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(range, u, sign, [&](bool end) { return contacts.are_equal_at_end(first, second, end); }); };
-    return append_change(range, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return contacts.are_equal_at_end(first, second, end); }); };
+    return append_change(part, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
   }
 
   // The sign of a monotone function, or, where it is zero at an end of the front, the sign near that.
@@ -349,12 +349,13 @@ private:
     return 0 < other && other < 1 ? sign(other) : 0;
   }
 
-  // Where a function is positive the contact is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known.
+  // Where a function is positive the contact is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known, which has to be small.
   template <class Sign>
-  bool append_change(const Range& range, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event, const std::optional<Located_contact>& between = std::nullopt)
+  bool append_change(const Front_part& part, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event, const std::optional<Located_contact>& between = std::nullopt)
   {
     if (!is_monotone)
       return false;
+    const Range& range = part.range;
     const int at_begin = sign_at(range.begin), at_end = sign_at(range.end);
     if (at_begin * at_end == 0)
       return false;
@@ -364,6 +365,8 @@ private:
       return true;
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
+    if (zero.width() > exact_width && !m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[part.front]))   // smaller parts tell more
+      return false;
     append(before, {range.begin, zero.begin});
     if (between)
       append_event(event, *between, zero);

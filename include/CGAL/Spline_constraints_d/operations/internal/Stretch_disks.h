@@ -87,9 +87,7 @@ private:
     const Basic_front_part<Number> point = curvature.part(front, {u, u});
     if (stretch.corner)
       return with_curvature(point, curvature_in_corner<Number>(stretch, u));
-    Located_contact located = stretch.located(u);
-    located.least = (std::max)(located.least, 0.0);   // negative curvatures may have other maxima
-    return with_curvature(point, largest_curvature(graph, curvature, point, located));
+    return with_curvature(point, largest_curvature(graph, curvature, point, stretch.located(u)));
   }
 
   template <Enclosing_number Number>
