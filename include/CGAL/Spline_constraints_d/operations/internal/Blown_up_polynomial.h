@@ -137,7 +137,7 @@ public:
     const Range far{(std::max)(b.begin, (Interval(most_ratio) * Interval(a.begin)).inf()), b.end};
     if (far.begin < far.end && !append_far(a, far, {0, 1 / most_ratio}, 0, is_irrelevant, pieces))
       return {Sign_pattern::UNKNOWN};
-    return {pattern(pieces, a, b), pieces.begins_irrelevant, pieces.ends_irrelevant};
+    return {pattern(pieces, a, b, is_irrelevant), pieces.begins_irrelevant, pieces.ends_irrelevant};
   }
 
   Sign_pattern pattern(const Range& a, const Range& b) const
@@ -146,13 +146,14 @@ public:
   }
 
 private:
-  Sign_pattern pattern(const Pieces& pieces, const Range& a, const Range& b) const
+  template <class Is_irrelevant>
+  Sign_pattern pattern(const Pieces& pieces, const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const
   {
     if (!pieces.first)
       return pieces.begins_irrelevant ? Sign_pattern::NONE : Sign_pattern::UNKNOWN;
     if (pieces.has_sign && !pieces.begins_irrelevant && !pieces.ends_irrelevant)
       return *pieces.first == Piece::POSITIVE ? Sign_pattern::POSITIVE : Sign_pattern::NEGATIVE;
-    const int begin = pieces.begins_irrelevant ? 1 : sign_at(a, b.begin), end = pieces.ends_irrelevant ? -1 : sign_at(a, b.end);
+    const int begin = pieces.begins_irrelevant && !(b.begin > 0) ? 1 : sign_at(a, b.begin, 1, is_irrelevant, 0), end = sign_at(a, b.end, -1, is_irrelevant, 0);
     if (begin < 0 || end > 0)
       return begin < 0 ? Sign_pattern::NEGATIVE : Sign_pattern::POSITIVE;
     return end == 0 ? Sign_pattern::UNKNOWN : begin == 0 ? Sign_pattern::FALLING_OR_NEGATIVE : Sign_pattern::FALLING;
@@ -167,6 +168,19 @@ private:
       for (int k = 0; k < exponent; ++k)
         result *= Power_polynomial::variable(variable);
     return result;
+  }
+
+  // The same, where some sign stands for what does not matter: that may be the ends of some of the paths only.
+  template <class Is_irrelevant>
+  int sign_at(const Range& a, double b, int irrelevant_sign, const Is_irrelevant& is_irrelevant, int depth) const
+  {
+    if (b > 0 && is_irrelevant(Chart_range{Interval(b), a.interval() / Interval(b), true}))
+      return irrelevant_sign;
+    const int sign = sign_at(a, b);
+    if (sign != 0 || depth == most_depth || !(a.begin < a.end))
+      return sign;
+    const int first = sign_at({a.begin, a.middle()}, b, irrelevant_sign, is_irrelevant, depth + 1);
+    return first != 0 && first == sign_at({a.middle(), a.end}, b, irrelevant_sign, is_irrelevant, depth + 1) ? first : 0;
   }
 
   // The sign for all a > 0 and one b.
