@@ -167,6 +167,7 @@ TEST(Self_intersections, CuspsAreNone)
   expect_pairs(polynomial_curve(t2, t3, R(-1), R(1)), {});
   expect_pairs(polynomial_curve(t2, t3, R(-1), R(1)).with_knot(R(0)), {});
   expect_pairs(polynomial_curve({R(0), R(0), R(1), R(3)}, {R(0), R(0), R(2), R(1)}, R(-1), R(1) / R(3)), {});
+  expect_pairs(polynomial_curve({R(0), R(0), R(1), R(3)}, {R(0), R(0), R(2), R(1)}, R(-1), R(1) / R(3)).with_knot(R(0)), {});
   expect_pairs(polynomial_curve(t3, {R(0), R(0), R(0), R(1), R(0), R(1)}, R(-1), R(1) / R(3)), {});   // it stops and goes on
   // C' = (t^2 - 2) (1, t): a cusp at the square root of 2.
   expect_pairs(polynomial_curve({R(0), R(-2), R(0), R(1) / R(3)}, {R(0), R(0), R(-1), R(0), R(1) / R(4)}, R(1), R(2)), {});

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams, medial axes and offsets of cubics whose first or last two control points are the same: edges in closed form, Euler's formula, empty disks, and nearest sites by brute force.
+// Voronoi diagrams, medial axes and offsets of cubics whose first or last two control points are the same, or whose derivative is zero inside: edges in closed form, Euler's formula, empty disks, and nearest sites by brute force.
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -138,6 +139,86 @@ TEST(SingularEnds, Outline)
       nearest = (std::min)(nearest, distance(p, curves[site.curve](k / 400.)));
     EXPECT_NEAR(nearest, least, 1e-3);
   }
+}
+
+// C' = (t - t0) (E + t F) with small integers and a quarter, scaled so that control points are dyadic.
+Curve cuspidal_cubic(std::mt19937& random)
+{
+  std::uniform_int_distribution<int> integer(-2, 2), quarter(1, 3);
+  const double t0 = quarter(random) / 4.0;
+  std::vector<std::array<double, 2>> p(4);
+  std::array<double, 2> e{}, f{};
+  while (e[0] * f[1] == e[1] * f[0])
+    for (const std::size_t k : {0, 1}) {
+      e[k] = 3.0 * integer(random);
+      f[k] = 3.0 * integer(random);
+    }
+  for (const std::size_t k : {0, 1}) {
+    const double c0 = integer(random), c1 = -t0 * e[k], c2 = (e[k] - t0 * f[k]) / 2, c3 = f[k] / 3;
+    p[0][k] = c0;
+    p[1][k] = c0 + c1 / 3;
+    p[2][k] = c0 + 2 * c1 / 3 + c2 / 3;
+    p[3][k] = c0 + c1 + c2 + c3;
+  }
+  return bezier({P(p[0][0], p[0][1]), P(p[1][0], p[1][1]), P(p[2][0], p[2][1]), P(p[3][0], p[3][1])});
+}
+
+// (1/2 + 4 s^3, 3/4 - 3 s^2), s = t - 1/2, has a cusp: between its sides disks have the centers (1/2, 3/4 - 3 s^2 - 8 s^4). In the second one a disk leaves the end of the curve for the inside of the same arc, just where the one in the cusp begins to matter.
+TEST(SingularEnds, CuspsInside)
+{
+  const Curves symmetric{bezier({P(0, 0), P(1, 1), P(0, 1), P(1, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(symmetric);
+  expect_valid(diagram, symmetric);
+  std::size_t samples = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    if (const auto& sites = diagram.edges()[e].sites; !diagram.sites()[sites[0]].is_point && !diagram.sites()[sites[1]].is_point)
+      for (const auto& sample : diagram.polyline(e, 0.01, 20)) {
+        const double s = sample.parameters[0] - 0.5;
+        EXPECT_NEAR(sample.parameters[1], 1 - sample.parameters[0], 1e-9);
+        EXPECT_NEAR(CGAL::to_double(sample.point.y()), 0.75 - 3 * s * s - 8 * s * s * s * s, 1e-9);
+        ++samples;
+      }
+  EXPECT_GT(samples, 3U);
+
+  // Closed by a segment, it bounds a region whose axis has three branches, one of which ends in the cusp.
+  const auto axis = SC::medial_axis(SC::planar_region(Curves{symmetric[0], bezier({P(1, 0), P(0, 0)})}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(axis.edges().size(), 3U);
+  EXPECT_EQ(axis.vertices().size(), 4U);
+  EXPECT_TRUE(std::any_of(axis.vertices().begin(), axis.vertices().end(), [](const auto& v) { return v.radius < 1e-12 && distance(v.point, P(0.5, 0.75)) < 1e-12; }));
+
+  const Curves oblique{bezier({P(-2, -2), P(-3.5, -1.25), P(-3.625, -1.75), P(-3.375, -1.5)})};
+  expect_valid(SC::voronoi_diagram(oblique), oblique);
+  const auto offset = SC::trimmed_offset(oblique, 0.25);
+  EXPECT_TRUE(offset.is_complete());
+  EXPECT_GT(offset.boundaries().size(), 0U);
+
+  std::mt19937 random(3);
+  const Curves pair{cuspidal_cubic(random), cuspidal_cubic(random)};
+  expect_valid(SC::voronoi_diagram(pair), pair);
+}
+
+// Straight curves that turn back at rational parameters have the diagrams of segments.
+TEST(SingularEnds, CurvesThatTurnBack)
+{
+  const Curve other = bezier({P(0, 2), P(1, 3)});
+  const auto expect_segments = [&](const std::vector<P>& points, const std::vector<P>& ends) {
+    const Curves curves{bezier(points), other}, segments(ends.size() == 2 ? Curves{bezier(ends), other} : Curves{bezier({ends[0], ends[1]}), bezier({ends[1], ends[2]}), other});
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    expect_valid(diagram, curves);
+    EXPECT_EQ(counts(diagram), counts(SC::voronoi_diagram(segments)));
+    EXPECT_GE(diagram.coincident_parts().size(), 1U);
+  };
+  expect_segments({P(0, 0), P(1, 0), P(0, 0)}, {P(0, 0), P(0.5, 0)});
+  expect_segments({P(0, 0), P(3, 0), P(2, 0)}, {P(0, 0), P(2, 0), P(2.25, 0)});
+  expect_segments({P(0, 0), P(3, 0), P(-2, 0), P(1, 0)}, {P(0, 0), P(1, 0)});
+
+  // Parameters that are not rational: what is not proved is named, and the rest is right.
+  const Curves irrational{bezier({P(3, 1), P(0, 4), P(3, 1), P(4, 0)}), bezier({P(0, 1), P(3, 4), P(2, 3)})};
+  const Diagram diagram = SC::voronoi_diagram(irrational);
+  EXPECT_EQ(diagram.is_complete(), diagram.undecided().empty());
+  EXPECT_GT(diagram.edges().size(), 0U);
+  expect_empty_disks(diagram, irrational, 0.02, 20);
 }
 
 // The medial axis is the part of the diagram inside; all points of the offset have the distance, and its area is that of the region and at most, as Steiner's formula has it for convex regions, a strip along the outline and a disk.

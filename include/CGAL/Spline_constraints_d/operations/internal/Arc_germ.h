@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,7 @@ inline Exact_pair direction_between(const Exact_pair& from, const Exact_pair& to
 }
 
 /*
-An arc next to one of its ends, as a function over its tangent there: the coefficients c of eta = sum_k c_k xi^k, k >= 2, with the coordinates xi along the outgoing direction and eta to the left of it. Of two arcs that leave a point in one direction, that with the greater germ, in lexicographic order, is on the left. Nothing where the derivative is zero.
+An arc next to one of its ends, as a function over its tangent there: the coefficients c of eta = sum_k c_k xi^k, k >= 2, with the coordinates xi along the outgoing direction and eta to the left of it. Of two arcs that leave a point in one direction, that with the greater germ, in lexicographic order, is on the left. Where the derivative is zero, only the first term is known: eta is nearly a multiple of a power of xi, with a quotient of two numbers as the exponent.
 */
 class Arc_germ
 {
@@ -77,6 +78,9 @@ class Arc_germ
 
   std::size_t m_size;
   Series m_coefficients;
+  // xi and eta are nearly these multiples of these powers of the parameter; eta is zero everywhere if its factor is.
+  int m_xi_power = 0, m_eta_power = 0;
+  Exact_rational m_xi_factor = 0, m_eta_factor = 0;
 
 public:
   Arc_germ(const Exact_arc_2& arc, bool is_end, std::size_t order) : m_size(order + 1)
@@ -90,16 +94,51 @@ public:
       along[i] = (a[i] * d[0] + b[i] * d[1]) / length;
       left[i] = (b[i] * d[0] - a[i] * d[1]) / length;
     }
+    std::tie(m_xi_power, m_xi_factor) = first_term(along, weight[0]);
+    std::tie(m_eta_power, m_eta_factor) = first_term(left, weight[0]);
     if (along.size() > 1 && sign_of(along[1]) != 0)
       expand(quotient(left, weight), quotient(along, weight));
   }
 
+  // Whether all coefficients up to the order are.
   bool is_known() const { return !m_coefficients.empty(); }
 
-  bool operator==(const Arc_germ&) const = default;
-  bool operator<(const Arc_germ& other) const { return m_coefficients < other.m_coefficients; }
+  // Of germs that are known.
+  bool operator==(const Arc_germ& other) const { return m_coefficients == other.m_coefficients; }
+
+  // Whether this arc is certainly on the right of the other one.
+  bool operator<(const Arc_germ& other) const { return is_known() && other.is_known() ? m_coefficients < other.m_coefficients : has_lower_first_term(other); }
 
 private:
+  static std::pair<int, Exact_rational> first_term(const Series& series, const Exact_rational& weight)
+  {
+    const auto first = std::find_if(series.begin(), series.end(), [](const Exact_rational& c) { return sign_of(c) != 0; });
+    return first == series.end() ? std::pair(0, Exact_rational(0)) : std::pair(static_cast<int>(first - series.begin()), Exact_rational(*first / weight));
+  }
+
+  bool has_lower_first_term(const Arc_germ& other) const
+  {
+    const int side = sign_of(m_eta_factor), other_side = sign_of(other.m_eta_factor);
+    if (side != other_side || side == 0)
+      return side < other_side;
+    const int exponent = m_eta_power * other.m_xi_power, other_exponent = other.m_eta_power * m_xi_power;
+    if (exponent != other_exponent)   // the lower power is farther away from the tangent
+      return (exponent < other_exponent) == (side < 0);
+    const Exact_rational height = power(height_of_first_term(), other.m_xi_power), other_height = power(other.height_of_first_term(), m_xi_power);
+    return side > 0 ? height < other_height : other_height < height;
+  }
+
+  // The absolute factor of eta as a multiple of a power of xi, to the power that xi is of the parameter.
+  Exact_rational height_of_first_term() const { return power(Exact_rational(CGAL::abs(m_eta_factor)), m_xi_power) / power(m_xi_factor, m_eta_power); }
+
+  static Exact_rational power(const Exact_rational& x, int exponent)
+  {
+    Exact_rational result(1);
+    for (int i = 0; i < exponent; ++i)
+      result *= x;
+    return result;
+  }
+
   Series series(const Bernstein_tensor<Exact_rational>& tensor, bool is_end) const
   {
     Series coefficients = tensor.coefficients();

@@ -105,7 +105,7 @@ private:
   static bool are_on_one_curve(const Site_arc_2& a, const Site_arc_2& b, bool is_reversed)
   {
     const Upward_rounding_guard guard;
-    const auto goes_on = [](const Site_arc_2& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)); };
+    const auto goes_on = [](const Site_arc_2& arc) { return turns_by_less_than_right_angle(arc.jet(Range(), 1)[1]); };
     if (!are_same_directions(outgoing_direction(a, false), outgoing_direction(b, is_reversed)) || !goes_on(a) || !goes_on(b))
       return false;
     const std::size_t order = static_cast<std::size_t>(a.degree() * b.degree()) + 1;

@@ -93,9 +93,10 @@ private:
   // Whether an arc turns by less than a right angle, and its curvature as seen from a front is below some number.
   bool is_below(const Front_part& part, std::size_t arc, double curvature) const
   {
-    const Curve_jet x = m_graph.arcs()[arc].jet(part.range, 2);
-    const Interval square = squared_norm(x[1]);
-    return turns_by_less_than_right_angle(x) && square.inf() > 0 && (dot(part.jet.normal, x[2]) / (square * CGAL::sqrt(square))).sup() < curvature;
+    const Site_arc_2& x = m_graph.arcs()[arc];
+    const auto [tangent, change] = x.tangent_jet(part.range);
+    const Interval square = squared_norm(tangent), turn = dot(part.jet.normal, change), speed = x.has_singular_end() ? x.tangent_factor(part.range) : Interval(1);
+    return turns_by_less_than_right_angle(tangent) && (turn.sup() <= 0 || (square.inf() > 0 && speed.inf() > 0 && (turn / (speed * square * CGAL::sqrt(square))).sup() < curvature));
   }
 
   // Whether the pocket between two arcs holds no vertex.

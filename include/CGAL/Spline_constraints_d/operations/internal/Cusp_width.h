@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSP_WIDTH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSP_WIDTH_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <CGAL/number_utils.h>
@@ -21,6 +22,8 @@ namespace internal {
 
 /*
 Two arcs X and Y that leave a point in the same direction: how much curvature all disks have that touch the front of X up to some width. The disk in X(u) that passes through Y(c u), where c makes speeds equal, has the curvature 2 <N, D> / |D|^2, D = Y(c u) - X(u). Numerator and denominator are polynomials, expanded exactly, with u^i and u^j as factors, i < j; what is left of them is bounded by its Bernstein coefficients.
+
+In a cusp of one curve the derivatives are zero: they are u and a vector, which N is perpendicular to.
 */
 struct Cusp_width
 {
@@ -38,19 +41,20 @@ struct Cusp_width
     const auto [x, y, w] = piece(graph, own, longer);
     const auto [u, v, s] = piece(graph, other, *ratio * longer);
     const Tensor dx = u * w - x * s, dy = v * w - y * s;
-    const Tensor ax = x.derivative(0) * w - x * w.derivative(0), ay = y.derivative(0) * w - y * w.derivative(0);
-    const Tensor numerator = (is_left ? ax * dy - ay * dx : ay * dx - ax * dy) * (w * s), denominator = (dx * dx + dy * dy) * (w * w);
+    const auto [ax, ay] = tangent(graph, own, longer);
+    const bool is_regular = graph.is_regular(own);
+    const Tensor square = dx * dx + dy * dy, numerator = (is_left ? ax * dy - ay * dx : ay * dx - ax * dy) * (w * s), denominator = is_regular ? square * (w * w) : square;
     const auto least = without_power(numerator), greatest = without_power(denominator);
     if (!least || !greatest || least->power >= greatest->power || sign_of(least->bounds.first) <= 0)
       return std::nullopt;
     const Interval share = Interval(1 - 4 * greatest->power * most_error) * interval_of(Exact_rational(least->bounds.first / greatest->bounds.second));
     Cusp_width result{0, greatest->power - least->power, 0};
-    Interval scale = Interval(2) / Interval(width);   // N is a derivative by u
+    Interval scale = is_regular ? Interval(2) / Interval(width) : Interval(2);   // N is a derivative by u there
     for (int i = 0; i < result.power; ++i)
       scale *= Interval(width);
     result.curvature = (share * scale).inf();
     const std::array<Exact_rational, 1> end{1};
-    result.gap = width * CGAL::to_double(Exact_rational(numerator(end) / (ax(end) * ax(end) + ay(end) * ay(end))));   // of one weight where it is one
+    result.gap = (is_regular ? width : 1 / width) * CGAL::to_double(Exact_rational(numerator(end) / (ax(end) * ax(end) + ay(end) * ay(end))));   // of one weight where it is one
     return result.curvature > 0 ? std::optional(result) : std::nullopt;
   }
 
@@ -70,18 +74,49 @@ private:
   // Where the arcs have the same speeds in units of their parameters.
   static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other)
   {
-    const Exact_pair a = graph.arcs()[own.arc].derivative_at(own.is_end), b = graph.arcs()[other.arc].derivative_at(other.is_end);
-    const std::size_t k = CGAL::abs(a[0]) < CGAL::abs(a[1]);
-    if (!graph.is_exact(own) || !graph.is_exact(other) || sign_of(a[k]) == 0 || sign_of(b[k]) == 0)
+    const auto zeros = [&](const Arc_end& end) { return graph.arcs()[end.arc].zeros_of_derivative(end.is_end); };
+    if (!graph.is_exact(own) || !graph.is_exact(other) || zeros(own) != zeros(other) || zeros(own) > 1)
       return std::nullopt;
-    return CGAL::abs(Exact_rational(a[k] / b[k]));
+    const Exact_pair a = speed(graph, own), b = speed(graph, other);
+    const std::size_t k = CGAL::abs(a[0]) < CGAL::abs(a[1]);
+    if (sign_of(a[k]) == 0 || sign_of(b[k]) == 0)   // of arcs whose other ends are not known exactly
+      return std::nullopt;
+    const Exact_rational ratio = CGAL::abs(Exact_rational(a[k] / b[k]));
+    return zeros(own) == 0 ? ratio : rational_square_root(ratio);
   }
+
+  // The derivative in an end, or the second one where that is zero.
+  static Exact_pair speed(const Site_graph_2& graph, const Arc_end& end)
+  {
+    const Site_arc_2& arc = graph.arcs()[end.arc];
+    if (graph.is_regular(end))
+      return arc.derivative_at(end.is_end);
+    const std::array<Exact_rational, 1> t{Exact_rational(end.is_end)};
+    const Exact_rational w = arc.piece().coordinates[2](t);
+    const auto& [x, y] = arc.tangent();
+    return {Exact_rational(x(t) / (w * w)), Exact_rational(y(t) / (w * w))};
+  }
+
+  // What the front's normal is perpendicular to, times the square of the weight where that is a derivative, from an end on.
+  static std::array<Tensor, 2> tangent(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
+  {
+    if (graph.is_regular(end)) {
+      const auto [x, y, w] = piece(graph, end, width);
+      return {x.derivative(0) * w - x * w.derivative(0), y.derivative(0) * w - y * w.derivative(0)};
+    }
+    std::array<Tensor, 2> result = graph.arcs()[end.arc].tangent();
+    for (Tensor& tensor : result)
+      tensor = end.is_end ? -from_end(tensor, end, width) : from_end(tensor, end, width);
+    return result;
+  }
+
+  static Tensor from_end(const Tensor& tensor, const Arc_end& end, const Exact_rational& width) { return tensor.restricted(0, Exact_rational(end.is_end), Exact_rational(end.is_end ? Exact_rational(1 - width) : width)); }
 
   static std::array<Tensor, 3> piece(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
   {
     std::array<Tensor, 3> result = graph.arcs()[end.arc].piece().coordinates;
     for (Tensor& tensor : result)
-      tensor = tensor.restricted(0, Exact_rational(end.is_end), Exact_rational(end.is_end ? Exact_rational(1 - width) : width));
+      tensor = from_end(tensor, end, width);
     return result;
   }
 

@@ -79,7 +79,7 @@ private:
     double squared_radius = std::numeric_limits<double>::infinity();
     for (const Arc_end& end : m_graph.vertices()[vertex].ends) {
       double& reach = m_reaches[end.arc][end.is_end] = 1;
-      const auto goes_away = [&] { return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].jet(range_at(end, reach), 1)); };
+      const auto goes_away = [&] { return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].direction_over(range_at(end, reach))); };
       while (reach > least_reach && !goes_away())
         reach /= 2;
       const double last = end.is_end ? 1 - reach : reach;
@@ -135,11 +135,12 @@ private:
   Interval height(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
   {
     const Front& front = m_graph.fronts()[part.front];
+    const Site_arc_2& arc = m_graph.arcs()[end.arc];
     if (front.is_fan && front.object == m_graph.vertex_of(end)) {
-      const Curve_jet y = m_graph.arcs()[end.arc].jet(united(range, {end.parameter(), end.parameter()}), 2);
-      return dot(turned_left(y[1]), y[2]);
+      const auto [tangent, change] = arc.tangent_jet(united(range, {end.parameter(), end.parameter()}));
+      return dot(turned_left(tangent), change);
     }
-    return dot(turned_left(jet[1]), part.jet.point - jet[0]);
+    return dot(turned_left(arc.has_singular_end() ? arc.direction_over(range) : jet[1]), part.jet.point - jet[0]);
   }
 };
 

@@ -43,7 +43,8 @@ public:
       result.push_back(all_pairs_of(part));
     for (const auto& [i, j] : pairs_that_may_meet())
       for (Common_point& point : Intersection_finder<d>(Patch_pair<d>(m_arcs[i], m_arcs[j], {has_next(i), has_next(j)}), m_solve)())
-        result.push_back(on_whole_curve(std::move(point), {i, j}));
+        if (!is_joint(point, i, j))
+          result.push_back(on_whole_curve(std::move(point), {i, j}));
     std::sort(result.begin(), result.end(), [](const Common_point& x, const Common_point& y) { return x.parameters < y.parameters; });
     remove_repetitions(result);
     return result;
@@ -70,7 +71,6 @@ private:
   // Where arcs touch in their ends, more than one pair of arcs may have found that; or it is on an overlap, such as an end of it.
   static void remove_repetitions(std::vector<Common_point>& points)
   {
-    const auto is_one = [](const Common_point& x) { return x.kind != Intersection_kind::OVERLAP && x.kind != Intersection_kind::UNDECIDED; };
     const auto are_same = [&](const Common_point& x, const Common_point& y) { return is_one(x) && is_one(y) && x.parameters == y.parameters && !has_extent(x.parameters); };
     points.erase(std::unique(points.begin(), points.end(), are_same), points.end());
     std::vector<Parameter_box> overlaps;
@@ -81,6 +81,8 @@ private:
       return is_one(x) && std::any_of(overlaps.begin(), overlaps.end(), [&](const Parameter_box& overlap) { return contains(overlap, x.parameters); });
     });
   }
+
+  static bool is_one(const Common_point& x) { return x.kind != Intersection_kind::OVERLAP && x.kind != Intersection_kind::UNDECIDED; }
 
   bool has_next(std::size_t arc) const { return m_arcs.next(arc).has_value(); }
 
@@ -102,7 +104,7 @@ private:
     }
     if (point.kind == Intersection_kind::END_POINT && !point.is_at_end[0] && !point.is_at_end[1])
       point.kind = is_corner ? Intersection_kind::TANGENT : Intersection_kind::TRANSVERSAL;
-    if (point.kind != Intersection_kind::OVERLAP && (holds_common_end(point, arcs[0], arcs[1]) || holds_common_end(point, arcs[1], arcs[0])))
+    if (point.kind != Intersection_kind::OVERLAP && may_be_joint(point, arcs[0], arcs[1]))
       point = {Intersection_kind::UNDECIDED, point.parameters, {false, false}, point.solution, false};
     return point;
   }
@@ -117,6 +119,11 @@ private:
     const Spline_patch<d>& before = m_arcs[*previous];
     return !have_same_direction<d>(before.one_sided_tangent(0, before.domain(0), 1), m_arcs[arc].one_sided_tangent(0, {begin, end}, 0));
   }
+
+  // Whether what was found is the end of an arc that is the begin of the other one, and nothing else.
+  bool is_joint(const Common_point& point, std::size_t i, std::size_t j) const { return is_one(point) && !has_extent(point.parameters) && may_be_joint(point, i, j); }
+
+  bool may_be_joint(const Common_point& point, std::size_t i, std::size_t j) const { return holds_common_end(point, i, j) || holds_common_end(point, j, i); }
 
   // Whether what was found may be the end of an arc that is the begin of the other one.
   bool holds_common_end(const Common_point& point, std::size_t first, std::size_t second) const

@@ -47,11 +47,11 @@ using Basic_curve_jet = std::array<std::array<Interval, 2>, jet_order + 1>;
 
 using Curve_jet = Basic_curve_jet<Interval>;
 
-// Whether the derivatives in any two points form an angle of less than 90 degrees: the curve goes away from each of its points.
+// Whether the derivatives in any two points, or vectors in their directions, form an angle of less than 90 degrees: the curve goes away from each of its points.
 template <Enclosing_number Interval>
-bool turns_by_less_than_right_angle(const Basic_curve_jet<Interval>& x)
+bool turns_by_less_than_right_angle(const std::array<Interval, 2>& derivative)
 {
-  return dot(x[1], x[1]).inf() > 0;
+  return dot(derivative, derivative).inf() > 0;
 }
 
 template <Enclosing_number Interval>

@@ -365,8 +365,7 @@ private:
     if (!is_exact(a) || !is_exact(b))
       return false;
     const std::size_t order = static_cast<std::size_t>(m_arcs[a.arc].degree() * m_arcs[b.arc].degree()) + 1;
-    const Arc_germ germ(m_arcs[a.arc], a.is_end, order), other(m_arcs[b.arc], b.is_end, order);
-    return germ.is_known() && other.is_known() && germ < other;
+    return Arc_germ(m_arcs[a.arc], a.is_end, order) < Arc_germ(m_arcs[b.arc], b.is_end, order);
   }
 
   // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less than 180 degrees, or that because one curve passes.

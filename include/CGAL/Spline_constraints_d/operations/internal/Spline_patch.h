@@ -105,6 +105,19 @@ public:
     return result;
   }
 
+  // The same with one more break, where the tangent may jump.
+  Spline_patch with_break(int axis, const Exact_rational& value) const
+  {
+    Spline_patch result(*this);
+    const auto refine = [&](Exact_function& f) {
+      for (int i = 0; i < f.degree(axis); ++i)
+        f = f.with_knot(axis, value);
+    };
+    std::for_each(result.m_numerators.begin(), result.m_numerators.end(), refine);
+    refine(result.m_weight);
+    return result;
+  }
+
   // The breaks inside of an axis where the tangent may jump, by the multiplicities of knots.
   std::vector<Exact_rational> possible_kinks(int axis) const
   {

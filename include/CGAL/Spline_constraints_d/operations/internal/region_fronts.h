@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_REGION_FRONTS_H
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Site_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
   const Upward_rounding_guard guard;
   auto graph = std::make_shared<Site_graph_2>();
   for (std::size_t c = 0; c < region.curves().size(); ++c)
-    for (const Homogeneous_piece& piece : homogeneous_pieces(region.curves()[c], Planar_map(region.curves()[c])))
+    for (const Homogeneous_piece& piece : pieces_between_stops(region.curves()[c]))
       for (const auto& arc : region.arcs_of_curves()[c])
         if (const auto& [begin, end] = arc.parameters; begin < piece.domain.second && end > piece.domain.first)
           graph->add_arc(piece.within({begin, end}), c);
