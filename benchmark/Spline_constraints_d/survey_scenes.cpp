@@ -3,12 +3,13 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
 // - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the disks of samples of edges beside samples of curves.
 // - crossings: diagrams of 2 to 12 cubics in one square; the same.
+// - cusps: diagrams of one or two cubics with a cusp inside, at a quarter, a half or three quarters, and in each third scene a segment; the same.
 // - copies: diagrams of two to six cubics, of which some are given once more, forward or backward; differing is what has other numbers of sites, vertices or edges than without these.
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
@@ -186,6 +187,37 @@ Answer crossings(unsigned scene)
   Curves curves;
   for (unsigned i = 0; i < 2 + scene % 11; ++i)
     curves.push_back(cubic(random, 0));
+  return answer_of_diagram(curves);
+}
+
+// C' = 3 (t - t0) (E + t F) with integers, E and F not parallel: the control points are exact.
+SC::Bspline_curve_2<K> cuspidal_cubic(std::mt19937& random)
+{
+  const auto integers = [&] {
+    const int x = static_cast<int>(random() % 5) - 2, y = static_cast<int>(random() % 5) - 2;
+    return Vector(x, y);
+  };
+  const double t0 = (1 + random() % 3) / 4.0;
+  const Point begin = CGAL::ORIGIN + integers();
+  Vector e = integers(), f = integers();
+  while (CGAL::determinant(e, f) == 0) {
+    e = integers();
+    f = integers();
+  }
+  const Vector c1 = -t0 * e, c2 = (e - t0 * f) / 2;   // a third of the coefficients of t and t^2
+  return SC::bezier_curve(std::vector<Point>{begin, begin + c1, begin + 2 * c1 + c2, begin + 3 * (c1 + c2) + f});
+}
+
+Answer cusps(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves{cuspidal_cubic(random)};
+  if (scene % 3 != 0)
+    curves.push_back(cuspidal_cubic(random));
+  if (scene % 3 == 2) {
+    const Point p = lattice_points(random, 8)[0];
+    curves.push_back(SC::bezier_curve(std::vector<Point>{p, p + Vector(1 + random() % 4, 2.0 - random() % 5)}));
+  }
   return answer_of_diagram(curves);
 }
 
@@ -400,7 +432,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}};
 
 } // namespace
 
@@ -408,7 +440,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

@@ -44,20 +44,44 @@ public:
 private:
   using Cut = Curve_crossings_2::Cut;
 
+  // Where a part begins or ends: in a crossing, if any.
+  struct Limit
+  {
+    Exact_rational parameter;
+    std::optional<Cut> cut{};
+
+    bool is_exact() const { return !cut || cut->is_exact(); }
+  };
+
   // Those of a piece between successive cuts.
   void add_parts(const Homogeneous_piece& piece, std::size_t curve)
   {
-    const std::vector<Cut> cuts = m_crossings.cuts(curve, piece.domain);
-    for (std::size_t i = 0; i <= cuts.size(); ++i) {
-      const Exact_rational begin = i == 0 ? piece.domain.first : cuts[i - 1].middle(), end = i == cuts.size() ? piece.domain.second : cuts[i].middle();
+    const std::vector<Limit> limits = limits_of_parts(piece, curve);
+    for (std::size_t i = 1; i < limits.size(); ++i) {
+      const Exact_rational &begin = limits[i - 1].parameter, &end = limits[i].parameter;
       if (m_crossings.is_redundant(curve, {begin, end}))
         continue;
       Homogeneous_piece part{{begin, end}, piece.coordinates};
       for (Bernstein_tensor<Exact_rational>& tensor : part.coordinates)
         tensor = tensor.restricted(0, piece.local(begin), piece.local(end));
-      const auto place = [&](const Cut& cut) { return Site_graph_2::Place_of_end{vertex(cut.crossing), Exact_rational(cut.width() / (end - begin))}; };
-      m_graph->add_arc(std::move(part), curve, {i == 0 ? std::nullopt : std::optional(place(cuts[i - 1])), i == cuts.size() ? std::nullopt : std::optional(place(cuts[i]))});
+      const auto place = [&](const Limit& limit) { return limit.cut ? std::optional(Site_graph_2::Place_of_end{vertex(limit.cut->crossing), Exact_rational(limit.cut->width() / (end - begin))}) : std::nullopt; };
+      m_graph->add_arc(std::move(part), curve, {place(limits[i - 1]), place(limits[i])});
     }
+  }
+
+  // The ends of a piece and all cuts. A part at whose end the derivative is zero, which is decided exactly, does not reach up to a crossing that is not known exactly.
+  std::vector<Limit> limits_of_parts(const Homogeneous_piece& piece, std::size_t curve) const
+  {
+    std::vector<Limit> result{{piece.domain.first}};
+    for (const Cut& cut : m_crossings.cuts(curve, piece.domain))
+      result.push_back({cut.middle(), cut});
+    result.push_back({piece.domain.second});
+    for (const bool end : {false, true}) {
+      const std::size_t i = end ? result.size() - 1 : 1;
+      if (piece.stops_at(end) && !result[end ? i - 1 : i].is_exact())
+        result.insert(result.begin() + static_cast<std::ptrdiff_t>(i), {Exact_rational((result[i - 1].parameter + result[i].parameter) / 2)});
+    }
+    return result;
   }
 
   std::size_t vertex(std::size_t crossing)

@@ -50,6 +50,15 @@ struct Homogeneous_piece
 
   Exact_rational local(const Exact_rational& t) const { return Exact_rational((t - domain.first) / (domain.second - domain.first)); }
 
+  // Whether the derivative is zero in an end.
+  bool stops_at(bool end) const
+  {
+    const std::array<Exact_rational, 1> t{Exact_rational(end)};
+    const auto& [x, y, w] = coordinates;
+    const auto is_stationary = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) { return f.derivative(0)(t) * w(t) == f(t) * w.derivative(0)(t); };
+    return is_stationary(x) && is_stationary(y);
+  }
+
   // The part within a range of the parameter.
   Homogeneous_piece within(const Parameter_range& range) const
   {
