@@ -80,6 +80,7 @@ class Basic_maximal_disks
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
   static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-48, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
+  static constexpr double widest_event = 0x1p-12;        // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
 
@@ -365,7 +366,7 @@ private:
       return true;
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
-    if (zero.width() > exact_width && !m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[part.front]))   // smaller parts tell more
+    if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[part.front]))   // smaller parts tell more
       return false;
     append(before, {range.begin, zero.begin});
     if (between)

@@ -7,7 +7,6 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -85,9 +84,7 @@ private:
   static Basic_stretch_disk<Number> disk(const Basic_site_graph_2<Number>& graph, const Basic_disk_curvature<Number>& curvature, std::size_t front, const Disk_stretch& stretch, double u)
   {
     const Basic_front_part<Number> point = curvature.part(front, {u, u});
-    if (stretch.corner)
-      return with_curvature(point, curvature_in_corner<Number>(stretch, u));
-    return with_curvature(point, largest_curvature(graph, curvature, point, stretch.located(u)));
+    return with_curvature(point, stretch.corner ? curvature_in_corner<Number>(stretch, u) : largest_curvature(graph, curvature, point, stretch.located(u)));
   }
 
   template <Enclosing_number Number>
