@@ -11,6 +11,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
+#include <CGAL/Spline_constraints_d/operations/internal/parameters_within_radius.h>
 #include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -288,13 +290,7 @@ public:
 private:
   std::size_t site_of(const internal::Front& front) const { return front.object + (front.is_fan ? m_graph->arcs().size() : 0); }
 
-  double curve_parameter(std::size_t site, double u) const
-  {
-    if (m_sites[site].is_point)
-      return std::numeric_limits<double>::quiet_NaN();
-    const auto& [begin, end] = m_sites[site].parameters;
-    return u == 1 ? end : begin + u * (end - begin);
-  }
+  double curve_parameter(std::size_t site, double u) const { return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u); }
 
   void make_sites()
   {
@@ -407,12 +403,8 @@ private:
     const double u = m_diagram->end_parameter(part, is_end);
     const Sample corner = sample(part, u);
     Sample last = sample(part, m_diagram->end_parameter(part, !is_end));
-    if (last.radius > most_radius) {
-      const internal::Front_jet x = m_graph->front_jet(m_diagram->front(part), {u, u});
-      const internal::Interval share = internal::Interval(most_radius) / CGAL::sqrt(internal::squared_norm(x.normal));
-      last.point = point(middle(x.point[0] + share * x.normal[0]), middle(x.point[1] + share * x.normal[1]));
-      last.radius = most_radius;
-    }
+    if (last.radius > most_radius)
+      last = {point_on_normal(part, u, most_radius), most_radius, last.parameters};
     if (samples.empty())
       samples.push_back(is_end ? last : corner);
     samples.push_back(is_end ? corner : last);
@@ -425,37 +417,31 @@ private:
       append_corner(part, most_radius, samples);
       return;
     }
-    std::array<double, 2> ends{m_diagram->end_parameter(part, false), m_diagram->end_parameter(part, true)};
-    const auto is_near = [&](double u) { return !(sample(part, u).radius > most_radius); };
-    double inner = ends[0] / 2 + ends[1] / 2;
-    for (int side = 0; side < 2 && !is_near(inner); ++side)
-      inner = is_near(ends[side]) ? ends[side] : inner;
-    if (!is_near(inner))
+    const auto radius_at = [&](double u) { return sample(part, u).radius; };
+    const std::array<double, 2> all{m_diagram->end_parameter(part, false), m_diagram->end_parameter(part, true)};
+    const std::optional<double> inner = internal::any_within(all, radius_at, most_radius);
+    if (!inner)
       return;
-    for (double& end : ends)
-      end = last_near(inner, end, is_near);
+    const std::array last{internal::last_within(*inner, all[0], radius_at, most_radius), internal::last_within(*inner, all[1], radius_at, most_radius)};
     using Located = std::pair<double, Sample>;
     const auto located = [&](double u) { return Located(u, sample(part, u)); };
     const auto between = [&](const Located& from, const Located& to) { return located(from.first / 2 + to.first / 2); };
     const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return height_over_chord(from.second, middle.second, to.second) <= error; };
-    std::vector<Located> along{located(ends[0])};
-    internal::append_samples(along, located(ends[1]), between, is_chord);
+    std::vector<Located> along{located(last[0].parameter)};
+    internal::append_samples(along, located(last[1].parameter), between, is_chord);
+    for (const bool end : {false, true})
+      if (const auto& next = last[end].jump)   // from there on, the edge goes along the normal, up to rounding
+        along.insert(end ? along.end() : along.begin(), {*next, Sample{point_on_normal(part, *next, most_radius), most_radius, sample(part, *next).parameters}});
     for (std::size_t i = samples.empty() ? 0 : 1; i < along.size(); ++i)
       samples.push_back(along[i].second);
   }
 
-  // The parameter nearest to an end with disks that are not too large.
-  template <class Is_near>
-  static double last_near(double inner, double end, const Is_near& is_near)
+  // The point at some distance from the front.
+  Point point_on_normal(const Part& part, double u, double distance) const
   {
-    constexpr int steps = 40;
-    if (is_near(end))
-      return end;
-    for (int i = 0; i < steps; ++i) {
-      const double middle = inner / 2 + end / 2;
-      (is_near(middle) ? inner : end) = middle;
-    }
-    return inner;
+    const internal::Front_jet x = m_graph->front_jet(m_diagram->front(part), {u, u});
+    const internal::Interval share = internal::Interval(distance) / CGAL::sqrt(internal::squared_norm(x.normal));
+    return point(middle(x.point[0] + share * x.normal[0]), middle(x.point[1] + share * x.normal[1]));
   }
 
   static double height_over_chord(const Sample& from, const Sample& middle, const Sample& to)

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CURVATURE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CURVATURE_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Circle_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curvature_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fan_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Scaled_sites.h>
@@ -47,6 +48,7 @@ class Basic_disk_curvature
   using Front_part = Basic_front_part<Interval>;
   using Smooth_continuation = Basic_smooth_continuation<Interval>;
   using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Circle_disks = Basic_circle_disks<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
   using Fan_disks = Basic_fan_disks<Interval>;
@@ -81,7 +83,7 @@ public:
     if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
       return of_scaled_disk(quotient(part, arc, range, jet), part);
     if (part.range.is_number() && range.is_number())
-      return with_common_arc_and_vertices(quotient(part, arc, range, jet).bounds(), part, arc, range);
+      return with_what_is_common(quotient(part, arc, range, jet).bounds(), part, arc, range, jet, part, jet);
     const double u = part.range.middle(), v = range.middle();
     return (*this)(part, arc, range, jet, this->part(part.front, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
   }
@@ -94,7 +96,7 @@ public:
     const Range at_middle{range.middle(), range.middle()};
     const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, at_middle, jet_in_middle), shift_u, shift_v)
                                           : quotient(part.jet, arc, range, jet, jet[0] - part.jet.point).around(quotient(middle.jet, arc, at_middle, jet_in_middle, jet_in_middle[0] - middle.jet.point), shift_u, shift_v);
-    return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_common_arc_and_vertices(k.bounds(), part, arc, range);
+    return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_what_is_common(k.bounds(), part, arc, range, jet, middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
@@ -196,15 +198,40 @@ private:
 
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
-  // And what is known where the front lies on the arc, or has a vertex in common with it.
-  Curvature_bounds with_common_arc_and_vertices(Curvature_bounds result, const Front_part& part, std::size_t arc, const Range& range) const
+  // And what is known where the front lies on the arc, has a vertex in common with it, or touches a circle on which one of them lies.
+  Curvature_bounds with_what_is_common(Curvature_bounds result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Front& front = m_graph.fronts()[part.front];
     if (!front.is_fan && front.object == arc)
       add_by_tangent(result, within_arc(part, arc, range), arc, range);
+    else
+      add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
     for (const bool is_end : {false, true})
       at_common_vertex(result, part, front, {arc, is_end}, range);
     return result;
+  }
+
+  void add_by_circles(Curvature_bounds& result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const Site_arc_2 &y = m_graph.arcs()[arc], *own = front.is_fan ? nullptr : &m_graph.arcs()[front.object];
+    const double v = range.middle();
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(v);
+    const auto difference = [&](const Circle_disks& disks, const Front_part& x, const Range& range, const Curve_jet& jet) {
+      const auto [tangent, change] = y.has_singular_end() ? y.tangent_jet(range) : std::array{jet[1], jet[2]};
+      return disks.difference(quotient(x.jet, arc, range, jet, jet[0] - x.jet.point), jet[0], tangent, change);
+    };
+    const auto add = [&](const Circle_disks& disks, const Circle_disks& in_middle) {
+      Curvature_bounds k = difference(disks, part, range, jet).around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v).bounds();
+      k.value += disks.curvature();
+      k.du += disks.curvature_derivative();
+      result = common_part(result, k);
+    };
+    if (own != nullptr && own->circle() && dot(part.jet.normal, own->center() - part.jet.point).inf() > 0)
+      add(Circle_disks::of_front(part.jet, *own), Circle_disks::of_front(middle.jet, *own));
+    if (const auto disk = y.circle() ? Circle_disks::of_points(middle.jet, y) : std::nullopt)
+      if (const auto disks = disk->over(part.jet, middle.jet, shift_u))
+        add(*disks, *disk);
   }
 
   // What more is known where derivatives are those by v itself.

@@ -166,7 +166,7 @@ public:
   {
     const auto& [first, last] = m_arcs[arc].piece().domain;
     const double begin = to_nearest_double(first), end = to_nearest_double(last);
-    return u == 1 ? end : begin + u * (end - begin);
+    return u == 1 ? end : std::clamp(begin + u * (end - begin), begin, end);
   }
 
   // From one vertex to another one, both known exactly, with a small relative error.
