@@ -38,7 +38,7 @@ class Basic_disk_candidates
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Singular_ends = Basic_singular_ends<Interval>;
 
-  static constexpr double least_width = 0x1p-46;
+  static constexpr double least_width = 0x1p-46, least_gain = 4;
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;
@@ -177,11 +177,10 @@ private:
       return;
     }
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(part.range.middle());
-    Interval slope;
     if (candidate.kind == Disk_candidate::Kind::VERTEX) {
       k = m_curvature(part, candidate.index);
       candidate.at_middle = m_curvature(middle, candidate.index).value;
-      slope = k.du;
+      learn(candidate.at_middle, k.du, shift_u, attained);
     } else {
       const double v = candidate.range.middle();
       const Range point{v, v};
@@ -190,17 +189,35 @@ private:
       const Curvature_bounds center = m_curvature(middle, candidate.index, point, jet);
       const Interval shift_v = interval_of<Interval>(candidate.range) - Interval(v);
       candidate.at_middle = center.value;
-      slope = m_curvature(part, candidate.index, point, jet, middle, jet).du;
+      learn(center.value, m_curvature(part, candidate.index, point, jet, middle, jet).du, shift_u, attained);
       k.value = common_part(k.value, center.value + k.du * shift_u + k.factor * k.dv * shift_v);
       k.dv = common_part(k.dv, center.dv + k.duv * shift_u + k.dvv * shift_v);
+      for (const double end : {0.0, 1.0})
+        if (candidate.range.meets({end, end}) && k.value.sup() > attained.least)
+          learn_from_end(part, middle, candidate.index, end, shift_u, attained);
     }
-    if (candidate.at_middle.inf() > attained.at_middle.inf() && std::isfinite(slope.sup() - slope.inf())) {
-      attained.at_middle = candidate.at_middle;
+    if (std::isfinite(k.value.inf()))
+      attained.least = (std::max)(attained.least, k.value.inf());
+  }
+
+  // An end of an arc may be much nearer than the middle of what is not split yet.
+  void learn_from_end(const Front_part& part, const Front_part& middle, std::size_t arc, double end, const Interval& shift_u, Level& attained) const
+  {
+    const Curve_jet jet = m_graph.arcs()[arc].jet({end, end}, 2);
+    learn(m_curvature(middle, arc, {end, end}, jet).value, m_curvature(part, arc, {end, end}, jet, middle, jet).du, shift_u, attained);
+  }
+
+  // Of a point that disks of the part pass through.
+  static void learn(const Interval& at_middle, const Interval& slope, const Interval& shift_u, Level& attained)
+  {
+    if (!std::isfinite(slope.sup() - slope.inf()))
+      return;
+    if (at_middle.inf() > attained.at_middle.inf()) {
+      attained.at_middle = at_middle;
       attained.slope = slope;
     }
-    for (const double least : {k.value.inf(), (candidate.at_middle + slope * shift_u).inf()})
-      if (std::isfinite(least) && least > attained.least)
-        attained.least = least;
+    if (const double least = (at_middle + slope * shift_u).inf(); std::isfinite(least))
+      attained.least = (std::max)(attained.least, least);
   }
 
   bool is_small(const Front_part& part, const Disk_candidate& candidate, double least) const
@@ -213,7 +230,16 @@ private:
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
     const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds, least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
-    return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5;
+    return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5 && !is_decided_by_parts(part, candidate);
+  }
+
+  // Whether more is learnt of the derivative in the parts of a candidate than in parts of the front: of small curves far away.
+  static bool is_decided_by_parts(const Front_part& part, const Disk_candidate& candidate)
+  {
+    const Curvature_bounds& k = candidate.bounds;
+    const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
+    const double by_parts = size(k.dvv) * candidate.range.width(), by_front = size(k.duv) * part.range.width();
+    return certain_sign(k.dv) == 0 && !(k.dvv.sup() < 0) && std::isfinite(by_parts) && by_parts > least_gain * by_front;
   }
 
   // About how far the contact moves over the part, if that is known: far where disks are nearly half-planes, and a segment nearly on their border.

@@ -176,7 +176,7 @@ private:
           ends[end] = End_state::TOO_LOW;
           continue;
         }
-        if (!(k.value.inf() >= m_least))
+        if (!(k.value.inf() > 0))   // so that it is connected with the others
           return false;
         const int sign = certain_sign(k.dv) * (end ? 1 : -1);
         ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
