@@ -211,6 +211,8 @@ TEST(planar_regions_2, bad_boundaries)
   expect_refused({circle(0, 0, 5), circle(6, 0, 5)}, "curve 0 at parameter 0.500000 and curve 1 at parameter 1.500000 cross");
   expect_refused({circle(0, 0, 5), circle(5, 0, 5)}, " cross");   // at irrational parameters
   expect_refused({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, "meet in a common part");
+  expect_refused({segment(a, b), segment(b, b), segment(b, c), segment(c, a)}, "Planar_region_2: the piece of curve 1 between the parameters 0.000000 and 1.000000 is a point");
+  expect_refused({polygon({a, b, b, c})}, "the piece of curve 0 between the parameters 1.000000 and 2.000000 is a point");
   expect_refused({segment(a, b), segment(b, a)}, "all curves are there twice");
   expect_refused({circle(0, 0, 2), circle(0, 0, 2), circle(9, 0, 1)}, "all of the boundary curve 0");
 }

@@ -71,6 +71,18 @@ TEST(RegionDistances, Disks)
   EXPECT_NEAR(result.pairs()[0].points.point(1).y(), 4 - 1.6, 1e-12);
 }
 
+// Not in dependence on the size of the regions, nor is their orientation.
+TEST(RegionDistances, HugeAndTinyDisks)
+{
+  for (const double size : {1e-300, 1e-200, 1e-140, 1e-30, 1e30, 1e140, 1e200, 1e300}) {
+    const auto result = SC::region_distance(region({SC::circle_curve(P(0, 0), size)}), region({SC::circle_curve(P(3 * size, 4 * size), 2 * size)}));
+    const auto [lower, upper] = result.distance_range();
+    EXPECT_NEAR(lower / size, 2, 1e-12);
+    EXPECT_NEAR(upper / size, 2, 1e-12);
+    EXPECT_EQ(result.pairs().size(), 1U);
+  }
+}
+
 // Inside of the region, inside of its hole, and in a hole that is just as large.
 TEST(RegionDistances, Nested)
 {

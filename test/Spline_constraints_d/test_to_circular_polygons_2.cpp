@@ -9,9 +9,11 @@
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
 #include <CGAL/Spline_constraints_d/operations/to_circular_polygons_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
 
+#include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_circle_segment_traits_2.h>
 
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -141,6 +144,29 @@ TEST(Circular_polygons, offset_of_free_curves)
   }
 }
 
+// A boundary that is thinner than the error, and a hole that chords cut: both are refined until edges meet in their ends only, as CGAL finds, too.
+TEST(Circular_polygons, refined_until_edges_do_not_cross)
+{
+  const auto leaf = [](double height) { return SC::planar_region(std::vector<Curve>{SC::bezier_curve(std::vector<Point>{{0, 0}, {2, 2}, {4, 0}}), SC::bezier_curve(std::vector<Point>{{4, 0}, {2, height}, {0, 0}})}); };
+  const auto sweep = SC::swept_area(polygon({{-0.75, -0.5}, {-0.625, -0.75}, {0.75, 0.5}, {0.625, 0.75}}), SC::bezier_curve(std::vector<Point>{{0, 0}, {9, 7}, {-4, 7}, {5, 0}}));
+  const double area_of_sweep = CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].outer_boundary().area()) + CGAL::to_double(sweep.polygons_with_holes(1e-4)[0].holes_begin()->area());
+  for (const auto& [polygons, area, error] : {std::tuple(SC::to_circular_polygons<Traits>(leaf(2.01), 1e-3), 4 * 0.01 / 3, 3e-3), std::tuple(SC::to_circular_polygons<Traits>(leaf(1.5), 1e-3), 4 * 0.5 / 3, 1e-2), std::tuple(SC::to_circular_polygons<Traits>(sweep, 0.1), area_of_sweep, 1.0)}) {
+    ASSERT_EQ(polygons.size(), 1u);
+    EXPECT_TRUE(CGAL::is_valid_polygon_with_holes(polygons[0], Traits()));
+    EXPECT_NEAR(total_area_of(polygons), area, error);
+  }
+}
+
+// Boundaries that touch: in corners there is a result, with a common tangent there is none.
+TEST(Circular_polygons, boundaries_that_touch)
+{
+  const Polygons eight = SC::to_circular_polygons<Traits>(polygon({{0, 0}, {2, 1}, {2, -1}, {0, 0}, {-2, -1}, {-2, 1}}), 1e-3);
+  EXPECT_EQ(eight.size(), 2u);
+  EXPECT_EQ(total_area_of(eight), 4);
+  const auto disk_with_hole = SC::planar_region(std::vector<Curve>{SC::circle_curve(Point(0, 0), 2.0), SC::circle_curve(Point(1, 0), 1.0)});
+  expect_invalid([&] { SC::to_circular_polygons<Traits>(disk_with_hole, 1e-2); }, "to_circular_polygons: edges meet elsewhere");
+}
+
 // No more than the concept asks for: a square with another one in it.
 struct Frame
 {
@@ -155,6 +181,22 @@ struct Frame
 };
 static_assert(SC::Approximable_region_2<Frame>);
 
+// Two squares that overlap in an area, or in a side.
+struct Two_squares
+{
+  double distance;
+
+  std::vector<CGAL::Polygon_with_holes_2<K>> polygons_with_holes(double) const
+  {
+    std::vector<CGAL::Polygon_with_holes_2<K>> result;
+    for (const double x : {0.0, distance}) {
+      const std::vector<Point> square{{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}};
+      result.emplace_back(CGAL::Polygon_2<K>(square.begin(), square.end()));
+    }
+    return result;
+  }
+};
+
 TEST(Circular_polygons, of_a_model_of_the_concept)
 {
   const Polygons polygons = SC::to_circular_polygons<Traits>(Frame(), 0.1);
@@ -163,6 +205,10 @@ TEST(Circular_polygons, of_a_model_of_the_concept)
   EXPECT_EQ(polygons[0].outer_boundary().size(), 4u);
   EXPECT_EQ(total_area_of(polygons), 12);
   expect_invalid([] { SC::to_circular_polygons<Traits>(Frame(), 0); }, "to_circular_polygons");
+  EXPECT_EQ(SC::to_circular_polygons<Traits>(Two_squares{2}, 0.1).size(), 2u);
+  expect_invalid([] { SC::to_circular_polygons<Traits>(Two_squares{1e100}, 0.1); }, "a coordinate is not between");
+  for (const double distance : {0.0, 0.5, 1.0})
+    expect_invalid([&] { SC::to_circular_polygons<Traits>(Two_squares{distance}, 0.1); }, "edges meet elsewhere");
 }
 
 } // namespace

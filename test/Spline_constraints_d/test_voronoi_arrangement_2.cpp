@@ -3,6 +3,9 @@
 
 // Voronoi diagrams as arrangements: vertices, edges and faces are those of the diagram, and labels lead to its edges.
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
@@ -174,4 +177,38 @@ TEST(VoronoiArrangement, BadInput)
   EXPECT_THROW(SC::to_arrangement(SC::voronoi_diagram(Curves()), 0.1, CGAL::Bbox_2(0, 0, 1, 1)), SC::Invalid_input);
   EXPECT_THROW(SC::to_arrangement(diagram, 0, 10), SC::Invalid_input);
   EXPECT_THROW(SC::to_arrangement(diagram, 0.1, std::numeric_limits<double>::infinity()), SC::Invalid_input);
+  for (const double size : {1e80, 1e140, 1e200, 1e300, std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(SC::to_arrangement(diagram, size / 100, CGAL::Bbox_2(-size, -1, 1, 1)), SC::Invalid_input);
+  for (const double error : {std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, 1e-300, 1e-9, 1e14})
+    EXPECT_THROW(SC::to_arrangement(diagram, error, CGAL::Bbox_2(-1, -1e30, 1, 1e30)), SC::Invalid_input);
+  const auto fine = SC::to_arrangement(diagram, 1e-8, CGAL::Bbox_2(-1, -1e6, 5, 1e6));
+  EXPECT_TRUE(fine.has_same_topology);
+  EXPECT_EQ(fine.arrangement.number_of_faces(), 3U);
+  EXPECT_FALSE(SC::to_arrangement(diagram, 1e20, CGAL::Bbox_2(-1, -1e30, 5, 1e30)).has_same_topology);   // the edge ends in it
+  for (const double far : {1e80, -1e160, 1e300})
+    EXPECT_THROW((void)diagram.nearest_sites(P(1, far)), SC::Invalid_input);
+  EXPECT_EQ(diagram.nearest_sites(P(1, 1e-300)), std::vector<std::size_t>{0});
+}
+
+// What bounds in doubles can tell is decided, all else refused: none of it is without an answer, or without an end.
+TEST(VoronoiArrangement, Magnitudes)
+{
+  const auto segment = [](double size) { return SC::bezier_curve(std::vector<P>{{0, 0}, {size, size}}); };
+  const auto triangle = [](double size) { return SC::planar_region(SC::polyline_curve(std::vector<P>{{0, 0}, {size, 0}, {0, size}, {0, 0}})); };
+  for (const double size : {1e-75, 1e-30, 1e30, 1e74}) {
+    const auto diagram = SC::voronoi_diagram(Curves{segment(size)}, {P(0, size)});
+    EXPECT_TRUE(diagram.is_complete());
+    EXPECT_EQ(diagram.nearest_sites(P(0.1 * size, 0.9 * size)).size(), 1U);
+    EXPECT_EQ(SC::to_arrangement(diagram, 0.01 * size, CGAL::Bbox_2(-size, -size, 2 * size, 2 * size)).arrangement.number_of_faces(), 3U);
+    EXPECT_TRUE(SC::trimmed_bisector(segment(size), P(0, size)).is_complete());
+    EXPECT_EQ(SC::medial_axis(triangle(size)).edges().size(), 3U);
+  }
+  for (const double size : {1e-300, 1e-200, 1e-100, 1e100, 1e150, 1e200, 1e300}) {
+    EXPECT_THROW(SC::voronoi_diagram(Curves{segment(size)}), SC::Invalid_input);
+    EXPECT_THROW(SC::voronoi_diagram(Curves(), {P(0, 0), P(size, 0)}), SC::Invalid_input);
+    EXPECT_THROW(SC::trimmed_bisector(segment(size), P(0, size)), SC::Invalid_input);
+    EXPECT_THROW(SC::trimmed_bisector(P(0, 0), P(0, size)), SC::Invalid_input);
+    EXPECT_THROW(SC::trimmed_self_bisector(segment(size)), SC::Invalid_input);
+    EXPECT_THROW(SC::medial_axis(triangle(size)), SC::Invalid_input);
+  }
 }

@@ -34,6 +34,17 @@ void check_error(const Number& error, const std::string& operation)
     throw Invalid_input(operation + ": the error must be positive");
 }
 
+// Bounds of products of four lengths up to this one, and down to its inverse, are bounded by doubles other than zero and infinity.
+inline constexpr double most_magnitude = 0x1p250;
+
+// Of operations that would decide nothing with others, after all has been tried: the greatest absolute value of a coordinate.
+template <class Number>
+void check_greatest_coordinate(const Number& greatest, const std::string& operation)
+{
+  if (greatest > Number(most_magnitude) || (greatest > Number(0) && greatest < Number(1 / most_magnitude)))
+    throw Invalid_input(operation + ": the greatest coordinate is not between 2^-250 and 2^250");
+}
+
 } // namespace internal
 
 } // namespace Spline_constraints

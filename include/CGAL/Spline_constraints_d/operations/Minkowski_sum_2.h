@@ -18,6 +18,7 @@
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Uncertain.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -80,6 +81,11 @@ public:
   // Of the sets with these boundaries.
   Minkowski_sum_2(std::vector<internal::Boundary_loop_2> a, std::vector<internal::Boundary_loop_2> b)
   {
+    Exact_rational greatest(0);
+    for (const auto* loops : {&a, &b})
+      for (const internal::Boundary_loop_2& loop : *loops)
+        greatest = (std::max)(greatest, loop.greatest_coordinate());
+    internal::check_greatest_coordinate(greatest, "Minkowski_sum_2");
     const Upward_rounding_guard guard;
     m_model = std::make_shared<const Model>(std::move(a), std::move(b));
     for (const Chain& chain : m_model->boundary.chains())

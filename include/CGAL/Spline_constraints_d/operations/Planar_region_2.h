@@ -74,7 +74,7 @@ public:
   the region between these curves.
   \param curves the curves.
   \param options those of the solver that looks for common points.
-  \throws Invalid_input when there is no curve; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
+  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
   message names the curves and the parameters.
   */
   template <std::ranges::input_range Range>
@@ -84,8 +84,11 @@ public:
     if (m_curves.empty())
       throw Invalid_input("Planar_region_2: there are no curves");
     std::vector<std::vector<internal::Boundary_piece>> pieces;
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
       pieces.push_back(internal::boundary_pieces(m_curves[i], i));
+      for (const internal::Boundary_piece& piece : pieces.back())
+        internal::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i, "Planar_region_2: ");
+    }
     make_boundaries(internal::Simple_rings_2(std::move(pieces), options));
     internal::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) { return m_loops[i].winding_number(m_loops[k].inner_point()) != 0; });
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
 #include <CGAL/Spline_constraints_d/operations/internal/parameters_within_radius.h>
 #include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
@@ -277,14 +278,16 @@ public:
   the sites that are nearest to a point, by increasing indices: one, if that is proved; if it is not, all that may be. These are equally near, as in points of an edge, up to about 10^-28 of the distances; what doubles do not tell apart is decided with 128 bits.
 
   \param point the point. The answer does not depend on whether the diagram is complete.
-  \throws Invalid_input when a coordinate is not finite.
+  \throws Invalid_input when a coordinate is not finite, or its absolute value is greater than \f$2^{250}\f$.
 
   Complexity: that of a search in a tree of boxes, and of subdivision of the curves near by, in interval arithmetic.
   */
   std::vector<std::size_t> nearest_sites(const Point& point) const
   {
     const Upward_rounding_guard guard;
-    return internal::nearest_sites(*m_graph, m_tree, *m_diagram->fine_level(), {internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+    const internal::Exact_pair exact{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())};
+    internal::check_magnitude(exact, "Voronoi_diagram_2::nearest_sites");
+    return internal::nearest_sites(*m_graph, m_tree, *m_diagram->fine_level(), exact);
   }
 
 private:

@@ -22,7 +22,7 @@ It is the part of the Voronoi diagram of the boundary that is inside, `voronoi_d
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the pieces of the boundary to all cores through TBB. The answers are the same.
 \param region the region. Parameters are those of its curves.
-\throws Invalid_input when the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, or the weight of a curve is not proved to have one sign.
 
 Complexity: about half of that of the Voronoi diagram.
 */
@@ -30,7 +30,7 @@ template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Voronoi_diagram_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
 {
   const auto graph = internal::region_graph(region);
-  return {graph, std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::region_fronts(*graph, region, true)))};
+  return {graph, std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::region_fronts(*graph, region, true), "medial_axis"))};
 }
 
 } // namespace Spline_constraints

@@ -26,7 +26,7 @@ What is not decided inside of the sum does not matter.
 \tparam Kernel a `SplineKernel`.
 \param a the first region.
 \param b the second region.
-\throws Invalid_input when the derivative of a curve is zero, other than in the end of a piece, as where the first two control points of a cubic are the same, or a boundary turns back in a cusp; the message names the curve and the parameter.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, as where the first two control points of a cubic are the same, or a boundary turns back in a cusp; the message names the curve and the parameter.
 
 Complexity: the product of the numbers of arcs for the convolution, crossings of each two of its pieces whose boxes meet, and for each of the parts the product of the numbers of arcs once more. Source: \cgalCite{kes-gcps-05}, equations (1) to (3), for the convolution of curves; \cgalCite{w-eecpms-06} for corners.
 */

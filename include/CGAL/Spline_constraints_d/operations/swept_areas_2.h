@@ -48,7 +48,7 @@ It is computed and proved as `minkowski_sum()`, with the curve as a region witho
 \tparam Curve a model of `ParametricCurve_2` with the same kernel.
 \param region the region.
 \param path the curve. Its index in the arcs of the result is zero.
-\throws Invalid_input when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or has a jump; the message names the parameter.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$; when the derivative of a curve is zero, other than in the end of a piece, a curve turns back in a cusp or has a jump; the message names the parameter.
 
 Complexity: as that of `minkowski_sum()`, with each arc of the curve counted twice.
 */

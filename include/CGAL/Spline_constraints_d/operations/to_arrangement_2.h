@@ -58,8 +58,8 @@ Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polyline
     std::vector<Vertex> points;
     for (const Point& p : polylines[c]) {
       const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
-      if (!std::isfinite(x) || !std::isfinite(y))
-        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not finite");
+      if (!(std::abs(x) <= most_magnitude && std::abs(y) <= most_magnitude))   // sweeps fail with much greater ones
+        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not between -2^250 and 2^250");
       points.emplace_back(x, y);
     }
     bool is_single = true;
@@ -87,9 +87,9 @@ the arrangement of polylines in the plane: of bisectors, envelopes, contour line
 
 The arrangement of the polylines is exact. That of the curves it resembles as far as the polylines do: curves that pass each other more closely than chords pass the curves may cross there, and two that touch need not.
 
-\param polylines points in order, with finite coordinates; a closed curve begins and ends with the same one. Equal points, as in common ends, become one vertex. A polyline of one point becomes an isolated vertex, if no other one passes there.
+\param polylines points in order; a closed curve begins and ends with the same one. Equal points, as in common ends, become one vertex. A polyline of one point becomes an isolated vertex, if no other one passes there.
 \tparam Point `CGAL::Point_2` of any kernel whose coordinates convert to double; they are rounded to doubles.
-\throws Invalid_input when a coordinate is not finite (the message names the polyline).
+\throws Invalid_input when the absolute value of a coordinate is not \f$2^{250}\f$ at most (the message names the polyline).
 
 Complexity: that of a sweep, \f$O((n+k) \log n)\f$ for \f$n\f$ chords with \f$k\f$ crossings.
 */
@@ -147,7 +147,7 @@ boundary as the curves do. Coordinates are rounded to doubles; whether that has 
 \param system the system that was solved.
 \param set its solutions.
 \param error the distance between a curve and its chords, see `to_polyline()`; positive.
-\throws Invalid_input when there are not two unknowns, or the error is not positive.
+\throws Invalid_input when there are not two unknowns, the error is not positive, or a coordinate is too great, as above.
 */
 inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set, double error)
 {

@@ -6,6 +6,9 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
+#include <CGAL/Arr_consolidated_curve_data_traits_2.h>
+#include <CGAL/Arr_enums.h>
+#include <CGAL/Arrangement_2.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/iterator.h>
@@ -16,6 +19,8 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -127,11 +132,17 @@ typename Traits::Polygon_2 circular_polygon(const CGAL::Polygon_2<Kernel>& polyg
   using Curve = typename Traits::Curve_2;
   using Rational_point = std::decay_t<decltype(std::declval<const Curve&>().supporting_circle().center())>;
   std::vector<Circular_runs::Point> points;
-  for (const auto& p : polygon)
-    if (const Circular_runs::Point q{CGAL::to_double(p.x()), CGAL::to_double(p.y())}; points.empty() || q != points.back())
+  for (const auto& p : polygon) {
+    const Circular_runs::Point q{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+    if (!(std::abs(q[0]) <= most_magnitude && std::abs(q[1]) <= most_magnitude))   // sweeps fail with much greater ones
+      throw Invalid_input("to_circular_polygons: a coordinate is not between -2^250 and 2^250");
+    if (points.empty() || q != points.back())
       points.push_back(q);
+  }
   while (points.size() > 1 && points.back() == points.front())
     points.pop_back();
+  if (points.size() < 2)
+    return {};
   const auto point = [&](std::size_t i) { return Rational_point(points[i % points.size()][0], points[i % points.size()][1]); };
   std::vector<Arc> arcs;
   const auto runs = Circular_runs(points, error)();
@@ -142,6 +153,70 @@ typename Traits::Polygon_2 circular_polygon(const CGAL::Polygon_2<Kernel>& polyg
   }
   return {arcs.begin(), arcs.end()};
 }
+
+template <class Region, class Traits>
+std::vector<typename Traits::Polygon_with_holes_2> circular_polygons(const Region& region, double error, const Traits& traits)
+{
+  std::vector<typename Traits::Polygon_with_holes_2> result;
+  for (const auto& polygon : region.polygons_with_holes(error / 3)) {
+    const auto converted = [&](const auto& boundary) { return circular_polygon(boundary, error * 2 / 3, traits); };
+    std::vector<typename Traits::Polygon_2> holes;
+    std::transform(polygon.holes_begin(), polygon.holes_end(), std::back_inserter(holes), converted);
+    result.emplace_back(converted(polygon.outer_boundary()), holes.begin(), holes.end());
+  }
+  return result;
+}
+
+// The arcs of general polygons in one arrangement, decided exactly: whether they meet in their ends only, and have a region on the left of all, and none on the right.
+template <class Traits>
+class Arcs_around_a_region
+{
+  using Labelled_traits = CGAL::Arr_consolidated_curve_data_traits_2<Traits, std::size_t>;
+  using Arrangement = CGAL::Arrangement_2<Labelled_traits>;
+
+  const Traits& m_traits;
+  std::vector<typename Labelled_traits::X_monotone_curve_2> m_arcs;   // with their indices
+  std::vector<CGAL::Arr_halfedge_direction> m_directions;
+  bool m_is_any_boundary_empty = false;
+
+public:
+  Arcs_around_a_region(const std::vector<typename Traits::Polygon_with_holes_2>& polygons, const Traits& traits) : m_traits(traits)
+  {
+    for (const auto& polygon : polygons) {
+      add(polygon.outer_boundary());
+      for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+        add(*hole);
+    }
+  }
+
+  bool operator()() const
+  {
+    Arrangement arrangement;
+    CGAL::insert(arrangement, m_arcs.begin(), m_arcs.end());
+    if (m_is_any_boundary_empty || arrangement.number_of_edges() != m_arcs.size())
+      return false;
+    std::set<const typename Arrangement::Face*> inner, outer{&*arrangement.unbounded_face()};
+    for (auto edge = arrangement.edges_begin(); edge != arrangement.edges_end(); ++edge) {
+      const auto& labels = edge->curve().data();
+      if (labels.size() != 1)
+        return false;   // arcs overlap
+      const bool is_along_arc = edge->direction() == m_directions[*labels.begin()];
+      inner.insert(&*(is_along_arc ? edge->face() : edge->twin()->face()));
+      outer.insert(&*(is_along_arc ? edge->twin()->face() : edge->face()));
+    }
+    return std::none_of(inner.begin(), inner.end(), [&](const auto* face) { return outer.contains(face); });
+  }
+
+private:
+  void add(const typename Traits::Polygon_2& boundary)
+  {
+    m_is_any_boundary_empty = m_is_any_boundary_empty || boundary.is_empty();
+    for (auto arc = boundary.curves_begin(); arc != boundary.curves_end(); ++arc) {
+      m_arcs.emplace_back(*arc, typename Labelled_traits::Data_container(m_directions.size()));
+      m_directions.push_back(m_traits.compare_endpoints_xy_2_object()(*arc) == CGAL::SMALLER ? CGAL::ARR_LEFT_TO_RIGHT : CGAL::ARR_RIGHT_TO_LEFT);
+    }
+  }
+};
 
 } // namespace internal
 
@@ -160,26 +235,27 @@ a region, an offset, a Minkowski sum or a swept area as general polygons with ho
 
 The result is that of `polygons_with_holes()` with a third of the error, in which each run of chords is replaced by one segment or arc through its ends, and a point between them, that is as long as the rest of the error allows. So edges that are straight or round are one edge, or a few, and others have less arcs than chords. Edges begin and end in the same points exactly: doubles.
 
+Edges meet in common ends only, and the polygons have disjoint interiors. That is decided exactly; if it is not so, the error is halved, up to eight times. Where boundaries touch with a common tangent, as those of a disk and a round hole do, no error may be small enough: then the region is refused.
+
 \tparam Traits `Gps_circle_segment_traits_2` over a kernel with exact numbers.
 \param region the region; where it is not complete, what has no closed boundary is left out, as from polygons.
-\param error edges are not farther than that from the boundaries, and these from them, up to rounding; positive. As with chords, it should be small enough for edges not to meet elsewhere.
+\param error edges are not farther than that from the boundaries, and these from them, up to rounding; positive.
 \param traits the traits class.
-\throws Invalid_input when the error is not positive.
+\throws Invalid_input when the error is not positive, the absolute value of a coordinate is greater than \f$2^{250}\f$, or edges meet elsewhere with all of these errors.
 
-Complexity: \f$O(n \log n)\f$ for \f$n\f$ chords.
+Complexity: for each error that is tried, \f$O(n \log n)\f$ for \f$n\f$ chords, and a sweep over the arcs.
 */
 template <class Traits, Approximable_region_2 Region>
 std::vector<typename Traits::Polygon_with_holes_2> to_circular_polygons(const Region& region, double error, const Traits& traits = Traits())
 {
   internal::check_error(error, "to_circular_polygons");
-  std::vector<typename Traits::Polygon_with_holes_2> result;
-  for (const auto& polygon : region.polygons_with_holes(error / 3)) {
-    const auto converted = [&](const auto& boundary) { return internal::circular_polygon(boundary, error * 2 / 3, traits); };
-    std::vector<typename Traits::Polygon_2> holes;
-    std::transform(polygon.holes_begin(), polygon.holes_end(), std::back_inserter(holes), converted);
-    result.emplace_back(converted(polygon.outer_boundary()), holes.begin(), holes.end());
+  constexpr int most_refinements = 8;
+  for (int i = 0; i <= most_refinements; ++i, error /= 2) {
+    auto result = internal::circular_polygons(region, error, traits);
+    if (internal::Arcs_around_a_region<Traits>(result, traits)())
+      return result;
   }
-  return result;
+  throw Invalid_input("to_circular_polygons: edges meet elsewhere than in common ends, also if the error is " + std::to_string(1 << most_refinements) + " times less");
 }
 
 } // namespace Spline_constraints

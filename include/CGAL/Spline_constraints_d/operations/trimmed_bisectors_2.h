@@ -29,7 +29,7 @@ Trimmed_bisector_2<Kernel> trimmed_bisector_of(const A& a, const B& b)
     sides.push_back(operands.is_on(1, *graph, i) - operands.is_on(0, *graph, i));
   for (const Site_graph_2::Vertex& vertex : graph->vertices())
     sides.push_back(operands.is_at(1, *graph, vertex) - operands.is_at(0, *graph, vertex));
-  return {Voronoi_diagram_2<Kernel>(graph, std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(*graph, all_fronts(*graph)))), sides};
+  return {Voronoi_diagram_2<Kernel>(graph, std::make_shared<Disk_diagram>(disk_diagram<Concurrency_tag>(*graph, all_fronts(*graph), "trimmed_bisector"))), sides};
 }
 
 } // namespace internal
@@ -51,7 +51,7 @@ It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 \tparam C1,C2 models of `ParametricCurve_2` with the same kernel.
 \param a the first curve.
 \param b the second curve.
-\throws Invalid_input when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of the Voronoi diagram.
 */
@@ -79,7 +79,7 @@ Trimmed_bisector_2<typename Curve::Kernel> trimmed_bisector(const typename Curve
 }
 
 //! the bisector of two points, a line, with the first one on the right.
-//! \throws Invalid_input when the points are equal, or a coordinate is not finite.
+//! \throws Invalid_input when the points are equal, a coordinate is not finite, or the magnitudes are not as above.
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
 Trimmed_bisector_2<Kernel> trimmed_bisector(const CGAL::Point_2<Kernel>& a, const CGAL::Point_2<Kernel>& b)
 {

@@ -99,6 +99,7 @@ bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement, con
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
 {
+  check_error(error, "to_arrangement");
   constexpr int most_refinements = 8;
   using Arrangement = typename Voronoi_arrangement_2<Kernel>::Arrangement;
   Voronoi_arrangement_2<Kernel> result{{}, {}, false};
@@ -122,6 +123,17 @@ Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel
     result.has_same_topology = has_topology_of(diagram, result.arrangement, polylines, most_radius);
   }
   return result;
+}
+
+// Whether edges to infinity have been followed to disks of a radius. Where that is too large beside the sites, doubles do not tell the parameters.
+template <SplineKernel Kernel>
+bool edges_reach(const Voronoi_diagram_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement, double radius)
+{
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const bool is_end : {false, true})
+      if (const auto& samples = arrangement.polylines[e]; !samples.empty() && diagram.vertices()[diagram.edges()[e].vertices[is_end]].is_at_infinity && !((is_end ? samples.back() : samples.front()).radius >= radius))
+        return false;
+  return true;
 }
 
 // Adds the sides of a box, and removes what is outside.
@@ -231,7 +243,7 @@ Whether the arrangement has the connections of the diagram is decided exactly; i
 \param diagram the diagram.
 \param error a distance between edges and chords, see `Voronoi_diagram_2::polyline()`; positive.
 \param most_radius edges to infinity are cut where the radius of the disks is larger, and so are vertices of such radius; positive and finite.
-\throws Invalid_input when the error is not positive, or the radius is not positive or not finite.
+\throws Invalid_input when the error is not positive, the radius is not positive or not finite, or a coordinate of a chord is greater than \f$2^{250}\f$.
 
 Complexity: that of a sweep, \f$O(n \log n)\f$ for \f$n\f$ chords, for each error that is tried.
 */
@@ -254,22 +266,27 @@ The regions are faces then, also those that go to infinity: point location tells
 
 \param diagram the diagram of one site or more.
 \param error a distance between edges and chords, see `Voronoi_diagram_2::polyline()`; positive.
-\param box what is outside is left out. It is not empty and finite; the sites may be outside.
-\throws Invalid_input when the error is not positive, the box has no inner points or is not finite, or there are no sites.
+\param box what is outside is left out. It is not empty; the sites may be outside.
+\throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not \f$2^{250}\f$ at most; or there are no sites.
 
-Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box.
+Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box, and false where the box is so large beside the sites, more than some \f$10^{12}\f$ times, that edges to infinity are not known up to its sides.
 */
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
 {
-  if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() && std::isfinite(box.xmax() - box.xmin()) && std::isfinite(box.ymax() - box.ymin())))
-    throw Invalid_input("to_arrangement: the box must be finite and have inner points");
+  constexpr double least_error = 0x1p-50;   // of the diameter
+  if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() && -internal::most_magnitude <= (std::min)(box.xmin(), box.ymin()) && (std::max)(box.xmax(), box.ymax()) <= internal::most_magnitude))
+    throw Invalid_input("to_arrangement: the box must have inner points, and coordinates between -2^250 and 2^250");
   if (diagram.sites().empty())
     throw Invalid_input("to_arrangement: the diagram has no sites");
   const auto& site = diagram.sites().front().point;
   const CGAL::Bbox_2 both = box + site.bbox();
   const double diameter = std::hypot(both.xmax() - both.xmin(), both.ymax() - both.ymin());   // no point of the box has a larger distance from that site
+  internal::check_error(error, "to_arrangement");
+  if (error < least_error * diameter)
+    throw Invalid_input("to_arrangement: the error is less than 2^-50 of the diameter of the box and the first site");
   auto result = internal::refined_arrangement(diagram, error, 2 * diameter);
+  result.has_same_topology = result.has_same_topology && internal::edges_reach(diagram, result, diameter);
   internal::cut_at(box, diagram.edges().size(), result.arrangement);
   internal::label_records(diagram, result);
   internal::label_whole_box(diagram, result);

@@ -30,7 +30,7 @@ contacts, not by coordinates.
 \tparam Range a range of curves that are models of `ParametricCurve_2`.
 \param curves the curves; there may be none.
 \param points the points.
-\throws Invalid_input when a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
+\throws Invalid_input when the greatest absolute value of a coordinate is neither 0 nor between \f$2^{-250}\f$ and \f$2^{250}\f$, a piece of a curve is a point, or the weight of a curve is not proved to have one sign.
 
 Complexity: that of `pairwise_intersections()`; and for each side of a piece, that of the subdivision of its neighbourhood; what is farther away is left out by a tree of boxes. Source: \cgalCite{hmek-pvce-05} has the idea of the envelope.
 */
@@ -40,7 +40,7 @@ auto voronoi_diagram(const Range& curves, const std::vector<typename std::ranges
 {
   using Kernel = typename std::ranges::range_value_t<Range>::Kernel;
   const auto graph = internal::graph_of_crossing_curves<Concurrency_tag, Kernel>(internal::site_curves(curves), points);
-  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph)));
+  auto diagram = std::make_shared<internal::Disk_diagram>(internal::disk_diagram<Concurrency_tag>(*graph, internal::all_fronts(*graph), "voronoi_diagram"));
   return Voronoi_diagram_2<Kernel>(graph, diagram);
 }
 

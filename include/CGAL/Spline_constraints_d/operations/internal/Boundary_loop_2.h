@@ -166,10 +166,24 @@ public:
     return {Exact_rational(result.lower / 2), Exact_rational(result.upper / 2)};
   }
 
-  // Whether a simple loop is run counterclockwise: its area is not zero.
+  // The greatest absolute value of a coordinate of ends and middles of pieces, as seen from a point.
+  Exact_rational greatest_coordinate(const Exact_pair& origin = {Exact_rational(0), Exact_rational(0)}) const
+  {
+    Exact_rational result(0);
+    for (const Boundary_piece& piece : m_pieces)
+      for (const int halves : {0, 1, 2}) {
+        const Exact_pair point = piece.at(Exact_rational(halves) / 2);
+        for (const std::size_t axis : {0, 1})
+          result = (std::max)(result, Exact_rational(CGAL::abs(Exact_rational(point[axis] - origin[axis]))));
+      }
+    return result;
+  }
+
+  // Whether a simple loop is run counterclockwise: its area is not zero. Bounds are as close as its size asks for.
   bool is_counterclockwise() const
   {
-    Exact_rational error(1);
+    const Exact_rational size = greatest_coordinate(source());
+    Exact_rational error(size * size);
     Rational_interval area = signed_area(error);
     for (; has_zero(area); area = signed_area(error))
       error /= 1024;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -151,7 +152,8 @@ private:
   void find_regions()
   {
     const Nearest_parts<d> nearest(m_operands[0], m_operands[1], {joints_of(0), joints_of(1)}, m_upper);
-    m_upper = (std::min)(m_upper, to_rational(nearest.upper()));
+    if (std::isfinite(nearest.upper()))   // as squares of doubles need not be
+      m_upper = (std::min)(m_upper, to_rational(nearest.upper()));
     const std::vector<Box> boxes = nearest.boxes();
     for (const Box& hull : separate_hulls(nearest.boxes_of_cells())) {
       Region& region = m_regions.emplace_back();

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 #include <CGAL/Spline_constraints_d/operations/internal/undecided_parts.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -301,8 +303,9 @@ private:
 
 // The diagram of a graph of curves, on all fronts, or on those of some cycles. With a tag for parallel work, fronts are handed to all cores.
 template <class Concurrency_tag>
-Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts)
+Disk_diagram disk_diagram(const Site_graph_2& graph, std::vector<std::size_t> fronts, const std::string& operation)
 {
+  check_magnitude(graph, operation);
   const Site_tree_2 tree(graph);
   const Cusps_2 cusps = Cusp_finder_2(graph, tree)();
   const auto fine_level = std::make_shared<const Fine_level>(graph);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/Bernstein_tensor.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits.h>
 #include <CGAL/Spline_constraints_d/number/Number_traits_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/interval_pairs.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,16 @@ struct Homogeneous_piece
     return result;
   }
 };
+
+// Refuses a piece of a curve that is one point: it has no sides, and goes nowhere.
+inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>, 3>& coordinates, const Parameter_range& domain, std::size_t curve, const std::string& prefix)
+{
+  const auto& [x, y, w] = coordinates;
+  const std::array<Exact_rational, 1> begin{Exact_rational(0)};
+  const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) { return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(), [](const Exact_rational& c) { return sign_of(c) == 0; }); };
+  if (is_constant(x) && is_constant(y))
+    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " + std::to_string(to_nearest_double(domain.first)) + " and " + std::to_string(to_nearest_double(domain.second)) + " is a point");
+}
 
 template <class Curve>
 std::vector<Homogeneous_piece> homogeneous_pieces(const Curve& curve, const Planar_map& map)

@@ -191,15 +191,6 @@ public:
     }
   }
 
-  // Whether all of it is one point.
-  bool is_point() const
-  {
-    const Exact_pair begin = this->at(0);
-    const auto& [x, y, w] = this->piece().coordinates;
-    const auto is_zero = [](const Bernstein_tensor<Exact_rational>& f) { return std::ranges::all_of(f.coefficients(), [](const Exact_rational& c) { return sign_of(c) == 0; }); };
-    return is_zero(x - w * begin[0]) && is_zero(y - w * begin[1]);
-  }
-
   const Interval_pair& center() const { return m_center; }
   const Interval& squared_radius() const { return m_squared_radius; }
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_SITE_GRAPH_2_H
 
-#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
@@ -18,7 +17,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -114,8 +112,7 @@ public:
     const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
     Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
     const Exact_pair a = arc.at(0), b = arc.at(1);
-    if (arc.is_point())
-      throw Invalid_input("the piece of curve " + std::to_string(curve) + " between the parameters " + std::to_string(to_nearest_double(arc.piece().domain.first)) + " and " + std::to_string(to_nearest_double(arc.piece().domain.second)) + " is a point");
+    check_is_no_point(arc.piece().coordinates, arc.piece().domain, curve, "");
     m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
     m_curve_of_arc.push_back(curve);
     m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});

@@ -15,10 +15,9 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// Refuses sites whose greatest coordinate is so great, or so small, that bounds of products of four lengths are not bounded by doubles other than zero and infinity: nothing would be decided, after all has been tried.
+// Refuses sites whose greatest coordinate is too great, or too small, for bounds in doubles.
 inline void check_magnitude(const Site_graph_2& graph, const std::string& operation)
 {
-  constexpr double most = 0x1p250, least = 0x1p-250;
   const Upward_rounding_guard guard;
   double greatest = 0;
   const auto add = [&](const Interval_pair& points) {
@@ -29,8 +28,16 @@ inline void check_magnitude(const Site_graph_2& graph, const std::string& operat
     add(arc.point(Range()));
   for (const Site_graph_2::Vertex& vertex : graph.vertices())
     add(vertex.point);
-  if (greatest > most || (greatest > 0 && greatest < least))
-    throw Invalid_input(operation + ": the greatest coordinate is not between 2^-250 and 2^250");
+  check_greatest_coordinate(greatest, operation);
+}
+
+// Refuses a point that is so far away that its squared distances from such sites are not bounded.
+inline void check_magnitude(const Exact_pair& point, const std::string& operation)
+{
+  const Exact_rational most(most_magnitude);
+  for (const Exact_rational& x : point)
+    if (x > most || x < -most)
+      throw Invalid_input(operation + ": a coordinate is not between -2^250 and 2^250");
 }
 
 } // namespace internal

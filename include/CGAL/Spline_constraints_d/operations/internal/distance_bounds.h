@@ -15,14 +15,25 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// The root of a number that is not negative, nearly, also if the number is too great or too small for a double.
+inline double near_root(const Exact_rational& x)
+{
+  const Exact_rational most(to_rational(0x1p1000)), least(to_rational(0x1p-1000));
+  if (x > most)
+    return 0x1p500 * near_root(Exact_rational(x * least));
+  if (x > 0 && x < least)
+    return 0x1p-500 * near_root(Exact_rational(x * most));
+  return std::sqrt(to_nearest_double(x));
+}
+
 // The closest doubles below and above the roots of the ends of a range; \pre they are not negative.
 inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
 {
   const auto square = [](double x) { return Exact_rational(to_rational(x) * to_rational(x)); };
-  double lower = std::sqrt(to_nearest_double(squares.first)), upper = std::sqrt(to_nearest_double(squares.second));
-  while (lower > 0 && square(lower) > squares.first)
+  double lower = near_root(squares.first), upper = near_root(squares.second);
+  while (std::isinf(lower) || (lower > 0 && square(lower) > squares.first))
     lower = std::nextafter(lower, 0.0);
-  while (square(upper) < squares.second)
+  while (!std::isinf(upper) && square(upper) < squares.second)
     upper = std::nextafter(upper, std::numeric_limits<double>::infinity());
   return {lower, upper};
 }
