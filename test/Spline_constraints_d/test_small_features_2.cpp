@@ -83,7 +83,7 @@ TEST(SmallFeatures, DisksNearlyConcentricWithAnArc)
 // The edge between two points next to each other is a line that doubles cannot follow by its direction: it passes the whole box.
 TEST(SmallFeatures, PointsNextToEachOther)
 {
-  for (const double gap : {1e-9, 1e-12}) {
+  for (const double gap : {1e-9, 1e-11}) {
     SCOPED_TRACE(gap);
     const std::vector<P> points{P(1, 2), P(1 + gap, 2), P(3, 4)};
     const auto diagram = SC::voronoi_diagram(Curves(), points);
