@@ -184,7 +184,9 @@ TEST(VoronoiArrangement, BadInput)
   const auto fine = SC::to_arrangement(diagram, 1e-8, CGAL::Bbox_2(-1, -1e6, 5, 1e6));
   EXPECT_TRUE(fine.has_same_topology);
   EXPECT_EQ(fine.arrangement.number_of_faces(), 3U);
-  EXPECT_FALSE(SC::to_arrangement(diagram, 1e20, CGAL::Bbox_2(-1, -1e30, 5, 1e30)).has_same_topology);   // the edge ends in it
+  const auto large = SC::to_arrangement(diagram, 1e20, CGAL::Bbox_2(-1, -1e30, 5, 1e30));   // doubles do not tell parameters of so large disks
+  EXPECT_TRUE(large.has_same_topology);
+  EXPECT_EQ(large.arrangement.number_of_faces(), 3U);
   for (const double far : {1e80, -1e160, 1e300})
     EXPECT_THROW((void)diagram.nearest_sites(P(1, far)), SC::Invalid_input);
   EXPECT_EQ(diagram.nearest_sites(P(1, 1e-300)), std::vector<std::size_t>{0});

@@ -125,7 +125,7 @@ Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel
   return result;
 }
 
-// Whether edges to infinity have been followed to disks of a radius. Where that is too large beside the sites, doubles do not tell the parameters.
+// Whether edges to infinity have been followed to disks of a radius.
 template <SplineKernel Kernel>
 bool edges_reach(const Voronoi_diagram_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement, double radius)
 {
@@ -269,7 +269,7 @@ The regions are faces then, also those that go to infinity: point location tells
 \param box what is outside is left out. It is not empty; the sites may be outside.
 \throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not \f$2^{250}\f$ at most; or there are no sites.
 
-Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box, and false where the box is so large beside the sites, more than some \f$10^{12}\f$ times, that edges to infinity are not known up to its sides.
+Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box, and false if an edge to infinity does not reach these.
 */
 template <SplineKernel Kernel>
 Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
