@@ -19,7 +19,6 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <string>
 
 namespace SC = CGAL::Spline_constraints;
 using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so

@@ -209,7 +209,6 @@ TEST(minkowski_sums_2, holes)
   expect_origins(ring, polygon(points), polygonal);
 }
 
-// The same after a rotation and translations of both regions.
 // A ring within the hole of a ring: each hole belongs to its own polygon.
 TEST(minkowski_sums_2, rings_in_rings)
 {

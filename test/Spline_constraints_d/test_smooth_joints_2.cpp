@@ -53,6 +53,9 @@ TEST(SmoothJoints, Ellipse)
   EXPECT_TRUE(diagram.is_complete());
   expect_vertices(diagram, 1, {{-1.5, 0.5}, {1.5, 0.5}});
   expect_vertices(diagram, 2, {{0, 1}});   // the pieces change
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, 0.01))
+      EXPECT_NEAR(sample.point.y(), 0, 1e-12);
   expect_euler(diagram);
   expect_empty_disks(diagram, curves);
 }

@@ -342,7 +342,6 @@ double distance(const P& p, const std::vector<P>& points)
   return std::sqrt(least);
 }
 
-// Curves that cross each other and themselves.
 // Where the first or last two control points of a cubic coincide, as in many drawings, its derivative is zero and its curvature infinite. Convex regions grow by their length times the distance, and a disk; what is left of them inside has the distance.
 TEST(TrimmedOffsets, CoincidentControlPoints)
 {

@@ -373,6 +373,7 @@ TEST(VoronoiDiagrams, BadInput)
   EXPECT_THROW(SC::voronoi_diagram(Curves{bezier({P(1, 1), P(1, 1)})}), SC::Invalid_input);
   const Diagram diagram = SC::voronoi_diagram(Curves(), {P(0, 0), P(1, 0)});
   EXPECT_THROW(diagram.polyline(0, 0), SC::Invalid_input);
+  EXPECT_THROW(diagram.polyline(7, 0.1), SC::Invalid_input);
   EXPECT_EQ(diagram.polyline(0, 0.1, 0.1).size(), 0U);   // all disks are larger
 }
 

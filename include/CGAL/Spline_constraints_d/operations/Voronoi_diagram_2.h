@@ -250,11 +250,13 @@ public:
   \param edge the index of the edge.
   \param error the distance; positive.
   \param most_radius the radius.
-  \throws Invalid_input when the error is not positive.
+  \throws Invalid_input when there is no such edge, or the error is not positive.
   */
   std::vector<Sample> polyline(std::size_t edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
   {
     internal::check_error(error, "Voronoi_diagram_2");
+    if (edge >= m_edges.size())
+      throw Invalid_input("Voronoi_diagram_2: there is no edge " + std::to_string(edge));
     const Upward_rounding_guard guard;
     std::vector<Sample> result;
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Mirrored_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/compared_points.h>
 #include <CGAL/Spline_constraints_d/operations/internal/exact_disk_curvatures.h>
 #include <CGAL/Spline_constraints_d/operations/internal/touches_line.h>
 
@@ -110,7 +111,7 @@ public:
       const Curvature_expansion curvature = expansion(branch);
       bool is_below = false;
       for (auto other = still.begin(); other != still.end() && !is_below;) {
-        const int order = certain_sign((curvature - other->second).value(shift));
+        const int order = certain_sign((are_exact_points(branch, other->first) ? difference_of_points(m_part, branch, other->first) : curvature - other->second).value(shift));
         is_below = order < 0;
         other = order > 0 ? still.erase(other) : other + 1;
       }
@@ -168,6 +169,8 @@ public:
   {
     const Front_part part = m_curvature.part(m_part.front, {u, u});
     const auto x = contact_at(a, u), y = contact_at(b, u);
+    if (x && y && are_exact_points(*x, *y))
+      return certain_sign(difference_of_points(part, *x, *y).at_middle);
     return x && y ? certain_sign(maximum(part, *x) - maximum(part, *y)) : 0;
   }
 
@@ -196,6 +199,8 @@ public:
   // By the first derivatives, and where these are nearly the same, as for points next to each other, by the second ones.
   bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const
   {
+    if (!a.move && !b.move && are_exact_points(a, b))
+      return certain_sign(difference_of_points(m_part, a, b).slope) != 0;
     return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && certain_sign((expansion(a) - expansion(b)).derivative(shift_from_middle())) != 0);
   }
 
@@ -471,6 +476,15 @@ private:
       return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n);
     return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
+
+  // Whether two contacts are points that can be compared however near they are to each other.
+  bool are_exact_points(const Located_contact& a, const Located_contact& b) const
+  {
+    const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(c.index) && m_graph.vertices()[c.index].is_exact; };
+    return is_exact_point(a.contact) && is_exact_point(b.contact);
+  }
+
+  Curvature_expansion difference_of_points(const Front_part& part, const Located_contact& a, const Located_contact& b) const { return scaled_difference_of_points(m_graph, m_curvature, part, a.contact.index, b.contact.index); }
 
   Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }
 
