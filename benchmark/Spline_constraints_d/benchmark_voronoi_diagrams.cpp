@@ -4,6 +4,7 @@
 // Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics that cross themselves, or
 // each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those.
 
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
 
@@ -167,5 +168,29 @@ void diagram_of_points(benchmark::State& state)
   }
 }
 BENCHMARK(diagram_of_points)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+
+// What is small beside the rest: a gap between segments of length 4, the radius of a circle in one of radius 2, or the distance of two points from each other beside a third one, of a negative power of ten.
+void diagram_of_small_features(benchmark::State& state)
+{
+  const double size = std::pow(10, -static_cast<double>(state.range(1)));
+  std::vector<Curve> curves;
+  std::vector<K::Point_2> points;
+  switch (state.range(0)) {
+  case 0:
+    state.SetLabel("gap");
+    curves = {SC::segment_curve(K::Point_2(0, 0), K::Point_2(4, 0)), SC::segment_curve(K::Point_2(0, size), K::Point_2(4, size))};
+    break;
+  case 1:
+    state.SetLabel("circle in a circle");
+    curves = {SC::circle_curve(K::Point_2(0, 0), 2.), SC::circle_curve(K::Point_2(0.5, 0.25), size)};
+    break;
+  default:
+    state.SetLabel("points");
+    points = {K::Point_2(1, 2), K::Point_2(1 + size, 2), K::Point_2(3, 4)};
+  }
+  for (auto _ : state)
+    state.counters["complete"] = SC::voronoi_diagram(curves, points).is_complete();
+}
+BENCHMARK(diagram_of_small_features)->ArgsProduct({{0, 1, 2}, {3, 6}})->Args({0, 12})->Args({2, 12})->Unit(benchmark::kMillisecond);
 
 } // namespace
