@@ -111,7 +111,7 @@ public:
       const Curvature_expansion curvature = expansion(branch);
       bool is_below = false;
       for (auto other = still.begin(); other != still.end() && !is_below;) {
-        const int order = certain_sign((are_exact_points(branch, other->first) ? difference_of_points(m_part, branch, other->first) : curvature - other->second).value(shift));
+        const int order_of_points = difference_of_points(m_part, branch, other->first).sign(shift), order = order_of_points != 0 ? order_of_points : (curvature - other->second).sign(shift);
         is_below = order < 0;
         other = order > 0 ? still.erase(other) : other + 1;
       }
@@ -169,9 +169,10 @@ public:
   {
     const Front_part part = m_curvature.part(m_part.front, {u, u});
     const auto x = contact_at(a, u), y = contact_at(b, u);
-    if (x && y && are_exact_points(*x, *y))
-      return certain_sign(difference_of_points(part, *x, *y).at_middle);
-    return x && y ? certain_sign(maximum(part, *x) - maximum(part, *y)) : 0;
+    if (!x || !y)
+      return 0;
+    const int order_of_points = certain_sign(difference_of_points(part, *x, *y).at_middle);
+    return order_of_points != 0 ? order_of_points : certain_sign(maximum(part, *x) - maximum(part, *y));
   }
 
   // The contacts that disks have before and after one that touches all of them: their curvature there grows least and most.
@@ -199,8 +200,8 @@ public:
   // By the first derivatives, and where these are nearly the same, as for points next to each other, by the second ones.
   bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const
   {
-    if (!a.move && !b.move && are_exact_points(a, b))
-      return certain_sign(difference_of_points(m_part, a, b).slope) != 0;
+    if (!a.move && !b.move && certain_sign(difference_of_points(m_part, a, b).slope) != 0)
+      return true;
     return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && certain_sign((expansion(a) - expansion(b)).derivative(shift_from_middle())) != 0);
   }
 
@@ -477,14 +478,12 @@ private:
     return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
 
-  // Whether two contacts are points that can be compared however near they are to each other.
-  bool are_exact_points(const Located_contact& a, const Located_contact& b) const
+  // Of two points, however near they are to each other, up to a positive factor; nothing is known if contacts are not both points that are known exactly.
+  Curvature_expansion difference_of_points(const Front_part& part, const Located_contact& a, const Located_contact& b) const
   {
     const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(c.index) && m_graph.vertices()[c.index].is_exact; };
-    return is_exact_point(a.contact) && is_exact_point(b.contact);
+    return is_exact_point(a.contact) && is_exact_point(b.contact) ? scaled_difference_of_points(m_graph, m_curvature, part, a.contact.index, b.contact.index) : Curvature_expansion();
   }
-
-  Curvature_expansion difference_of_points(const Front_part& part, const Located_contact& a, const Located_contact& b) const { return scaled_difference_of_points(m_graph, m_curvature, part, a.contact.index, b.contact.index); }
 
   Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }
 

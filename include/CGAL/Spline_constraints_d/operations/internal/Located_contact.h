@@ -219,6 +219,7 @@ struct Basic_curvature_expansion
 
   // Over the part, where the parameter is shifted from the middle.
   Interval value(const Interval& shift) const { return common_part(at_middle + slope * shift, at_middle + slope_at_middle * shift + second_derivative * CGAL::square(shift) / Interval(2)); }
+  int sign(const Interval& shift) const { return certain_sign(value(shift)); }
   Interval derivative(const Interval& shift) const { return common_part(slope, slope_at_middle + second_derivative * shift); }
 };
 
