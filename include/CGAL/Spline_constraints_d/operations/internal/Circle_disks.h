@@ -18,7 +18,11 @@ The disks that touch a front from inside of a circle, and that circle: their cur
 f / |Y - X|^2 with a small f, which is not obtained as a difference of large numbers. With the center C, the radius R and W = X - C,
 
 - where the front lies on the circle, K = |N| / R and f = K (R^2 - |Y - C|^2);
-- where the point does, K = 2 (R |N| + <W, N>) / (R^2 - |W|^2), and f = 2 (<Y - C, Q> - R |Q|), where Q = K W + N, with |Q| = K R - |N|, points from C to the center of the disk.
+- where the point does, f = 2 (<Y - C, Q> - R |Q|), where Q = K W + N, with |Q| = K R - |N|, points from C to the center of the disk. With L = |W|, the cross product c of W and N, q = R^2 - L^2 and m = L |N| - <W, N>,
+
+    |Q| = |N| q / (R + L)^2 + 2 R c^2 / (q m),
+
+  a sum of terms that are known well where X is near the circle, and N nearly points to C.
 */
 template <Enclosing_number Interval>
 class Basic_circle_disks
@@ -55,22 +59,15 @@ public:
     if (!(squared_norm(x.point - circle.center()).sup() < circle.squared_radius().inf()))   // most are not inside: this is cheap
       return std::nullopt;
     Basic_circle_disks result(circle, false);
-    const Curvature_quotient k = result.curvature_of_points(x);
-    if (!(k.q.inf() > 0))
-      return std::nullopt;
-    result.set_curvature(x, k.bounds());
-    const Interval square = squared_norm(x.normal);
-    return CGAL::square(result.m_way).sup() < (Interval(most_ratio) * square).inf() ? std::optional(result) : std::nullopt;
+    return result.set_disk_through_points(x, result.quotient_of_points(x)) && CGAL::square(result.m_way).sup() < (Interval(most_ratio) * squared_norm(x.normal)).inf() ? std::optional(result) : std::nullopt;
   }
 
   // The same over a part of the front, by mean value forms around that point; nothing if the part is too long for them.
   std::optional<Basic_circle_disks> over(const Front_jet& x, const Front_jet& middle, const Interval& shift) const
   {
-    const Curvature_quotient k = curvature_of_points(x).around(curvature_of_points(middle), shift, Interval(0));
-    if (!(k.q.inf() > 0))
-      return std::nullopt;
     Basic_circle_disks result = *this;
-    result.set_curvature(x, k.bounds());
+    if (!result.set_disk_through_points(x, quotient_of_points(x).around(quotient_of_points(middle), shift, Interval(0))))
+      return std::nullopt;
     const auto tighten = [&](Interval& value, const Interval& at_middle, const Interval& derivative) { value = common_part(value, at_middle + derivative * shift); };
     tighten(result.m_curvature, m_curvature, result.m_curvature_derivative);
     tighten(result.m_way, m_way, result.m_way_derivative);
@@ -107,8 +104,8 @@ public:
 private:
   Basic_circle_disks(const Site_arc_2& circle, bool is_front) : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_front(is_front) {}
 
-  // K as a quotient; the normal and the derivative of the point are perpendicular.
-  Curvature_quotient curvature_of_points(const Front_jet& x) const
+  // K = 2 (R |N| + <W, N>) / (R^2 - |W|^2).
+  Curvature_quotient quotient_of_points(const Front_jet& x) const
   {
     const Interval two(2), length = CGAL::sqrt(squared_norm(x.normal));
     const Interval_pair w = x.point - m_center;
@@ -120,16 +117,26 @@ private:
     return k;
   }
 
-  void set_curvature(const Front_jet& x, const Curvature_bounds& k)
+  // Returns whether all numbers are known.
+  bool set_disk_through_points(const Front_jet& x, const Curvature_quotient& quotient)
   {
-    const Interval length = CGAL::sqrt(squared_norm(x.normal));
+    const Interval two(2), n = CGAL::sqrt(squared_norm(x.normal)), n_u = dot(x.normal, x.normal_derivative) / n;
     const Interval_pair w = x.point - m_center;
-    m_curvature = k.value;
-    m_curvature_derivative = k.du;
-    m_way = k.value * m_radius - length;
-    m_way_derivative = k.du * m_radius - dot(x.normal, x.normal_derivative) / length;
-    m_direction = k.value * w + x.normal;
-    m_direction_derivative = k.du * w + k.value * x.point_derivative + x.normal_derivative;
+    const Interval l = CGAL::sqrt(squared_norm(w)), q = CGAL::square(m_radius) - squared_norm(w), m = l * n - dot(w, x.normal), c = dot(turned_left(w), x.normal), sum = m_radius + l;
+    if (!(q.inf() > 0 && m.inf() > 0))
+      return false;
+    const Interval q_u = -two * dot(w, x.point_derivative), l_u = -q_u / (two * l), m_u = l_u * n + l * n_u - dot(w, x.normal_derivative);   // the normal and the derivative of the point are perpendicular
+    const Interval c_u = dot(turned_left(x.point_derivative), x.normal) + dot(turned_left(w), x.normal_derivative), tilt = two * m_radius * c / (q * m);
+    m_way = n * q / CGAL::square(sum) + two * m_radius * CGAL::square(c) / (q * m);
+    m_way_derivative = (n_u * q + n * q_u - two * n * q * l_u / sum) / CGAL::square(sum) + tilt * (two * c_u - c * (q_u / q + m_u / m));
+    const Curvature_bounds k = quotient.bounds();
+    m_curvature = common_part(k.value, (m_way + n) / m_radius);
+    m_curvature_derivative = common_part(k.du, (m_way_derivative + n_u) / m_radius);
+    m_way = common_part(m_way, m_curvature * m_radius - n);
+    m_way_derivative = common_part(m_way_derivative, m_curvature_derivative * m_radius - n_u);
+    m_direction = m_curvature * w + x.normal;
+    m_direction_derivative = m_curvature_derivative * w + m_curvature * x.point_derivative + x.normal_derivative;
+    return true;
   }
 };
 

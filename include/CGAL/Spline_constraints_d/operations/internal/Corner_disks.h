@@ -35,7 +35,7 @@ class Basic_corner_disks
 
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
   static constexpr double most_share = 1 - 0x1p-20;   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
-  static constexpr int steps = 12, most_halvings = 10;
+  static constexpr int steps = 12, most_halvings = 20;
 
 public:
   // The only maximum of k in t, for all s: a curvature that it exceeds, and whether it is in the vertex.
@@ -114,7 +114,7 @@ private:
     const Interval most = Interval(far_ratio) * Interval(m_speed_ratio), l(0, (Interval(1) / most).sup());
     const Interval_pair z = m_b - l * m_a;
     Curvature_quotient k;
-    k.f = Interval(2) * dot(m_normal, z);
+    k.f = Interval(2) * (dot(m_normal, m_b) - l * dot(m_normal, m_a));
     k.q = squared_norm(z);
     return (of_disk(k).value - Interval(attained) * most).sup() < 0;
   }

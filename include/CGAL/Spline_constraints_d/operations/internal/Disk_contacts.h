@@ -88,7 +88,8 @@ public:
         add_branches(cluster);
     if (!(least > 0))
       m_branches.push_back(Disk_branch());
-    if (const auto circle = curvature.of_own_circle(part); circle && circle->value.sup() >= least)
+    const auto is_inside = [&](const Disk_candidate& c) { return curvature.side_of_own_circle(part, c.kind == Disk_candidate::Kind::VERTEX ? graph.vertices()[c.index].point : graph.arcs()[c.index].point(Range{c.range.middle(), c.range.middle()})) < 0; };
+    if (const auto circle = curvature.of_own_circle(part); circle && circle->value.sup() >= least && std::none_of(candidates.begin(), candidates.end(), is_inside))
       m_branches.push_back(branch_to(Disk_contact::Kind::CIRCLE, m_front.object));
   }
 

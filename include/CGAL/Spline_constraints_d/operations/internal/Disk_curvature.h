@@ -161,11 +161,11 @@ public:
     return result;
   }
 
-  // Whether all points are outside of that circle: disks through them are larger.
-  bool are_outside_own_circle(const Front_part& part, const Interval_pair& points) const
+  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger.
+  int side_of_own_circle(const Front_part& part, const Interval_pair& points) const
   {
     const Site_arc_2& arc = m_graph.arcs()[m_graph.fronts()[part.front].object];
-    return (squared_norm(points - arc.center()) - arc.squared_radius()).inf() > 0;
+    return certain_sign(squared_norm(points - arc.center()) - arc.squared_radius());
   }
 
 private:
@@ -208,6 +208,10 @@ private:
       add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
     for (const bool is_end : {false, true})
       at_common_vertex(result, part, front, {arc, is_end}, range);
+    if (front.is_fan)
+      for (const bool normal : {false, true})
+        if (is_on_circle_through_fan(m_graph, front, normal, arc))
+          result = common_part(result, along_circle_through_fan(m_graph, part, normal, arc, jet));
     return result;
   }
 

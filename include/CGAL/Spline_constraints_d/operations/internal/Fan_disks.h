@@ -114,6 +114,45 @@ private:
 
 using Fan_disks = Basic_fan_disks<Interval>;
 
+// Whether an arc lies on a circle through the vertex of a fan whose first or last normal points along a diameter.
+template <Enclosing_number Interval>
+bool is_on_circle_through_fan(const Basic_site_graph_2<Interval>& graph, const Basic_front<Interval>& fan, bool normal, std::size_t arc)
+{
+  const Basic_site_arc_2<Interval>& y = graph.arcs()[arc];
+  const auto& vertex = graph.vertices()[fan.object];
+  if (!y.circle() || y.turns_back() || y.has_singular_end() || !vertex.is_exact || certain_sign(squared_norm(vertex.point - y.center()) - y.squared_radius()) != 0)   // most are elsewhere: this is cheap
+    return false;
+  return y.is_on_line_or_circle(vertex.exact_point) && sign_of(exact_cross(fan.exact_normals[normal], exact_difference(y.circle()->first, vertex.exact_point))) == 0;
+}
+
+/*
+How the curvature k of disks that touch the vertex p of a fan with a normal N = (1-w) n + w m changes along such a circle, of which n points along a diameter. The inversion Z = (Y - p) / |Y - p|^2 maps the circle to a line across n, along which Z moves in one direction T, and k = 2 <N, Z>. So
+
+  k_v = 2 w <m, T> |Y_v| / |Y - p|^2
+
+has the sign of <m, T> for all w > 0, though the disk with w = 0 may touch all of the circle.
+*/
+template <Enclosing_number Interval>
+Basic_curvature_bounds<Interval> along_circle_through_fan(const Basic_site_graph_2<Interval>& graph, const Basic_front_part<Interval>& part, bool normal, std::size_t arc, const Basic_curve_jet<Interval>& y)
+{
+  const auto& fan = graph.fronts()[part.front];
+  const auto& circle = graph.arcs()[arc];
+  const auto& p = graph.vertices()[fan.object].point;
+  const auto begin = circle.jet({0, 0}, 1);
+  const int direction = certain_sign(dot(turned_left(begin[0] - circle.center()), begin[1]));   // around the center
+  const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), fan.normals[!normal]) / CGAL::sqrt(circle.squared_radius());   // <m, T>
+  const Interval u = interval_of<Interval>(part.range), way = squared_norm(y[0] - p);
+  Basic_curvature_bounds<Interval> k;
+  if (way.inf() > 0) {
+    const Interval rate = Interval(2) * along * CGAL::sqrt(squared_norm(y[1])) / way;
+    k.dv = (normal ? Interval(1) - u : u) * rate;
+    k.duv = Interval(normal ? -1 : 1) * rate;
+  }
+  if (const int sign = certain_sign(along); sign != 0 && !part.range.is_number())
+    k.dv = common_part(k.dv, Interval(sign) * Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+  return k;
+}
+
 } // namespace internal
 } // namespace Spline_constraints
 } // namespace CGAL
