@@ -48,6 +48,17 @@ TEST(SmallFeatures, EndsNextToSegments)
   }
 }
 
+// A wall, and two squares in front of it: the disk in the middle touches the corners of both, in which its contacts go over to their sides, and is the largest one there.
+TEST(SmallFeatures, DiskBetweenCornersOfSquares)
+{
+  const auto square = [](double x, double y, double size) { return SC::polyline_curve(std::vector<P>{P(x, y), P(x + size, y), P(x + size, y + size), P(x, y + size), P(x, y)}); };
+  const Curves curves{SC::polyline_curve(std::vector<P>{P(-1, 0), P(9, 0)}), square(1, 1, 2), square(5, 1, 2)};
+  const auto diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
+}
+
 // What is between two circles is nearest to both on an ellipse, with the centers as foci.
 TEST(SmallFeatures, CircleInACircle)
 {

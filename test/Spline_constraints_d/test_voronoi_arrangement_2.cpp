@@ -11,6 +11,7 @@
 
 #include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/Arr_iostream.h>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -168,6 +170,21 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
       EXPECT_EQ(h->face()->data(), std::vector<std::size_t>{diagram.sites()[*h->data()].region});
     }
   EXPECT_GT(checked, 100U);
+}
+
+// CGAL's streams know the geometry, without labels and records.
+TEST(VoronoiArrangement, Streams)
+{
+  const auto result = SC::to_arrangement(SC::voronoi_diagram(std::vector{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(3, -1), P(4, 1)})}, std::vector<P>{P(1, 2), P(3, 2)}), 0.01, CGAL::Bbox_2(-2, -2, 6, 4));
+  Voronoi_arrangement::Arrangement back;
+  std::stringstream stream;
+  stream.precision(17);
+  stream << result.arrangement;
+  stream >> back;
+  EXPECT_GT(back.number_of_faces(), 3U);
+  EXPECT_EQ(back.number_of_vertices(), result.arrangement.number_of_vertices());
+  EXPECT_EQ(back.number_of_edges(), result.arrangement.number_of_edges());
+  EXPECT_EQ(back.number_of_faces(), result.arrangement.number_of_faces());
 }
 
 TEST(VoronoiArrangement, BadInput)

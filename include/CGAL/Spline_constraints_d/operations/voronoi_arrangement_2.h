@@ -39,6 +39,7 @@ struct Voronoi_arrangement_2
   - `vertex->data()`, the vertex of the diagram that is there, the first one if there are several, as in a crossing; nothing where chords of one edge meet;
   - `halfedge->data()`, the site that is nearest on its left; nothing on the sides of a box;
   - `face->data()`, in increasing order the regions of the sites along its edges, see `Voronoi_site_2::region`: one, if the diagram is complete and not cut there.
+  CGAL's stream operators (`CGAL/IO/Arr_iostream.h`) write and read its geometry, without labels and records.
   */
   using Arrangement = CGAL::Arrangement_2<internal::Chord_traits_2, CGAL::Arr_extended_dcel<internal::Chord_traits_2, std::optional<std::size_t>, std::optional<std::size_t>, std::vector<std::size_t>>>;
 

@@ -308,7 +308,7 @@ private:
     return contacts && append_change(part, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
   }
 
-  // About the centers of the disks over a part of a front, with one contact where it begins and another one where it ends.
+  // About the centers of the disks over a part of a front, with one contact where it begins and another one where it ends; between, they may go a little farther than there.
   Interval_pair center(const Front_part& part, const Located_contact& first, const Located_contact& last) const
   {
     const auto at = [&](double u, const Located_contact& contact) {
@@ -316,7 +316,9 @@ private:
       const Interval k = largest_curvature(m_graph, m_curvature, point, contact).curvature;
       return Interval_pair{point.jet.point[0] + point.jet.normal[0] / k, point.jet.point[1] + point.jet.normal[1] / k};
     };
-    return hull(at(part.range.begin, first), at(part.range.end, last));
+    const Interval_pair ends = hull(at(part.range.begin, first), at(part.range.end, last));
+    const double way = (std::max)(ends[0].sup() - ends[0].inf(), ends[1].sup() - ends[1].inf());
+    return {ends[0] + Interval(-way, way), ends[1] + Interval(-way, way)};
   }
 
   bool append_branch(const Disk_contacts& contacts, const Front_part& part, const Disk_branch& branch)
