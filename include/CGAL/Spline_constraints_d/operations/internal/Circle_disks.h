@@ -117,7 +117,7 @@ private:
     return k;
   }
 
-  // Returns whether all numbers are known.
+  // With what the quotient tells of K, more over long parts than the sum does. Returns whether all numbers are known.
   bool set_disk_through_points(const Front_jet& x, const Curvature_quotient& quotient)
   {
     const Interval two(2), n = CGAL::sqrt(squared_norm(x.normal)), n_u = dot(x.normal, x.normal_derivative) / n;

@@ -161,7 +161,7 @@ public:
     return result;
   }
 
-  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger.
+  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger, those through points inside smaller.
   int side_of_own_circle(const Front_part& part, const Interval_pair& points) const
   {
     const Site_arc_2& arc = m_graph.arcs()[m_graph.fronts()[part.front].object];

@@ -143,6 +143,8 @@ Basic_curvature_bounds<Interval> along_circle_through_fan(const Basic_site_graph
   const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), fan.normals[!normal]) / CGAL::sqrt(circle.squared_radius());   // <m, T>
   const Interval u = interval_of<Interval>(part.range), way = squared_norm(y[0] - p);
   Basic_curvature_bounds<Interval> k;
+  if (direction == 0)   // not certain
+    return k;
   if (way.inf() > 0) {
     const Interval rate = Interval(2) * along * CGAL::sqrt(squared_norm(y[1])) / way;
     k.dv = (normal ? Interval(1) - u : u) * rate;
