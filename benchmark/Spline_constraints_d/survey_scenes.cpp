@@ -5,7 +5,7 @@
 //
 //   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]
 //
-// Scenes are those with the numbers from FIRST to before END.
+// Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
 // - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the disks of samples of edges beside samples of curves.
 // - crossings: diagrams of 2 to 12 cubics in one square; the same.
@@ -61,6 +61,7 @@ struct Answer
   bool is_complete = false;
   bool is_differing = false;    // from what samples tell
   std::size_t size = 0;         // arcs or edges
+  std::size_t vertices = 0, bounded = 0;   // of diagrams, those at infinity left out; and those whose bounds are narrower than 10^-9 (1 + radius), and hold what is rounded
 };
 
 std::vector<Point> samples(const Curves& curves, int count)
@@ -148,6 +149,13 @@ Answer offset(unsigned scene)
 }
 
 // Of a diagram: the disks of samples of edges touch both sites, and none contains a sample of a curve.
+bool has_narrow_bounds(const SC::Voronoi_diagram_2<K>::Vertex& vertex)
+{
+  const auto holds = [&](double low, double value, double high) { return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius); };
+  const auto& box = vertex.box;
+  return holds(box.xmin(), vertex.point.x(), box.xmax()) && holds(box.ymin(), vertex.point.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
+}
+
 Answer answer_of_diagram(const Curves& curves)
 {
   constexpr double error = 0.01, most_radius = 100, most_difference = 1e-8;
@@ -155,6 +163,11 @@ Answer answer_of_diagram(const Curves& curves)
   Answer answer;
   answer.is_complete = diagram.is_complete();
   answer.size = diagram.edges().size();
+  for (const auto& vertex : diagram.vertices())
+    if (!vertex.is_at_infinity) {
+      ++answer.vertices;
+      answer.bounded += has_narrow_bounds(vertex);
+    }
   const std::vector<Point> along = samples(curves, 500);
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
@@ -444,7 +457,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
-  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, refused = 0;
+  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, vertices = 0, bounded = 0, refused = 0;
   double total = 0, greatest = 0;
   for (unsigned scene = first; scene < end; ++scene) {
     const auto begin = std::chrono::steady_clock::now();
@@ -462,10 +475,12 @@ int main(int argc, char* argv[])
     complete += answer.is_complete;
     differing += answer.is_differing;
     size += answer.size;
+    vertices += answer.vertices;
+    bounded += answer.bounded;
     total += seconds;
     greatest = std::max(greatest, seconds);
     if (!answer.is_complete || answer.is_differing)
       std::cout << "scene " << scene << ": " << (answer.is_differing ? "differs from samples" : "not complete") << " (" << seconds << " s)" << std::endl;
   }
-  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << total << " s, at most " << greatest << " s\n";
+  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << bounded << " of " << vertices << " vertices with narrow bounds; " << total << " s, at most " << greatest << " s\n";
 }

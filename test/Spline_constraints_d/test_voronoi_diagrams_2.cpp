@@ -8,6 +8,8 @@
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +56,98 @@ TEST(VoronoiDiagrams, PointsAsCGALFindsThem)
                               [&](const auto& v) { return !v.is_at_infinity && distance(v.point, triangulation.dual(face)) < 1e-7 * (1 + v.radius); }));
     expect_euler(diagram);
   }
+}
+
+// Whether the bounds of a vertex are narrow and hold an exact point, and a squared radius.
+bool is_proved_to_be(const Diagram::Vertex& vertex, const SC::Exact_rational& x, const SC::Exact_rational& y, const SC::Exact_rational& squared_radius)
+{
+  const auto holds = [](double low, const SC::Exact_rational& value, double high) { return high - low < 1e-9 && SC::Exact_rational(low) <= value && value <= SC::Exact_rational(high); };
+  const auto& [least, most] = vertex.radius_bounds;
+  return holds(vertex.box.xmin(), x, vertex.box.xmax()) && holds(vertex.box.ymin(), y, vertex.box.ymax()) && most - least < 1e-9 && SC::Exact_rational(least) * least <= squared_radius && squared_radius <= SC::Exact_rational(most) * most;
+}
+
+TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
+{
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> coordinate(0, 100);
+  std::vector<P> points;
+  for (int i = 0; i < 40; ++i)
+    points.emplace_back(coordinate(random), coordinate(random));
+  const Diagram of_points = SC::voronoi_diagram(Curves(), points);
+  using Exact_point = CGAL::Point_2<CGAL::Simple_cartesian<SC::Exact_rational>>;
+  const auto exact = [&](const auto& contact) { return Exact_point(of_points.sites()[contact.site].point.x(), of_points.sites()[contact.site].point.y()); };
+  for (const auto& vertex : of_points.vertices())
+    if (!vertex.is_at_infinity) {
+      const Exact_point p = exact(vertex.contacts[0]), center = CGAL::circumcenter(p, exact(vertex.contacts[1]), exact(vertex.contacts[2]));
+      EXPECT_TRUE(is_proved_to_be(vertex, center.x(), center.y(), CGAL::squared_distance(p, center))) << vertex.point;
+    }
+  EXPECT_GT(of_points.vertices().size(), 50U);
+
+  const auto has_vertex = [](const Diagram& diagram, const SC::Exact_rational& x, const SC::Exact_rational& y, const SC::Exact_rational& squared_radius) {
+    return std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return is_proved_to_be(v, x, y, squared_radius); });
+  };
+  const Diagram triangle = SC::voronoi_diagram(Curves{bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(0, 3)}), bezier({P(0, 3), P(0, 0)})});
+  EXPECT_TRUE(has_vertex(triangle, 1, 1, 1));
+  EXPECT_TRUE(has_vertex(triangle, 4, 0, 0));
+  EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{SC::circle_curve(P(1, 2), 3.)}), 1, 2, 9));
+  // y = x^2, all of it, cut at 1/2, and the half of it, has the center of curvature (0,1/2); also if it goes on as y = x^2 / 2, which is less curved.
+  const SC::Exact_rational half(1, 2), quarter(1, 4);
+  EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(-1, 1), P(0, -1), P(1, 1)})}), 0, half, quarter));
+  EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)})}), 0, half, quarter));
+  EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)}), bezier({P(0, 0), P(-1, 0), P(-2, 2)})}), 0, half, quarter));
+  // Contacts: the disk of radius 3/2 around (0, 5/2) touches y = x^2 in x = -sqrt(2) and sqrt(2), and y = 4 in x = 0.
+  const Diagram segment = SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})});
+  for (const auto& vertex : segment.vertices())
+    if (is_proved_to_be(vertex, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)))
+      for (const auto& contact : vertex.contacts) {
+        const SC::Exact_rational low = 4 * SC::Exact_rational(contact.parameter_bounds[0]) - 2, high = 4 * SC::Exact_rational(contact.parameter_bounds[1]) - 2;
+        EXPECT_TRUE(contact.site == 0 ? (low * low - 2) * (high * high - 2) <= 0 : low * high <= 0);
+        EXPECT_LT(high - low, 1e-9);
+      }
+  EXPECT_TRUE(has_vertex(segment, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)));
+}
+
+using CGAL::Interval_nt;
+
+// The number of vertices whose bounds meet others. In a crossing of curves are several.
+std::ptrdiff_t vertices_in(const Diagram& diagram, const Interval_nt<>& x, const Interval_nt<>& y, const Interval_nt<>& radius)
+{
+  return std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) {
+    const bool is_in_box = x.do_overlap({v.box.xmin(), v.box.xmax()}) && y.do_overlap({v.box.ymin(), v.box.ymax()});
+    return !v.is_at_infinity && is_in_box && radius.do_overlap({v.radius_bounds[0], v.radius_bounds[1]});
+  });
+}
+
+// A motion by which integers stay integers: the bounds of each vertex, moved, meet those of as many vertices of the moved diagram.
+TEST(VoronoiDiagrams, BoundsOfVerticesMove)
+{
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> coordinate(0, 1000);
+  const auto moved = [](const P& p) { return P(3 * p.x() - 4 * p.y(), 4 * p.x() + 3 * p.y()); };
+  std::size_t vertices = 0;
+  for (int run = 0; run < 5; ++run) {
+    Curves curves, others;
+    for (int i = 0; i < 3; ++i) {
+      std::vector<P> points;
+      for (int j = 0; j < 4; ++j)
+        points.emplace_back(coordinate(random), coordinate(random));
+      curves.push_back(bezier(points));
+      std::transform(points.begin(), points.end(), points.begin(), moved);
+      others.push_back(bezier(points));
+    }
+    const Diagram a = SC::voronoi_diagram(curves), b = SC::voronoi_diagram(others);
+    EXPECT_TRUE(a.is_complete() && b.is_complete());
+    EXPECT_EQ(counts(a), counts(b));
+    expect_vertex_bounds(a);
+    for (const auto& v : a.vertices()) {
+      if (v.is_at_infinity)
+        continue;
+      const Interval_nt<> x(v.box.xmin(), v.box.xmax()), y(v.box.ymin(), v.box.ymax()), r(v.radius_bounds[0], v.radius_bounds[1]);
+      EXPECT_EQ(vertices_in(b, 3 * x - 4 * y, 4 * x + 3 * y, 5 * r), vertices_in(a, x, y, r)) << v.point;
+      ++vertices;
+    }
+  }
+  EXPECT_GT(vertices, 100U);
 }
 
 TEST(VoronoiDiagrams, Triangle)

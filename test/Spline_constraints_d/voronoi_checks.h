@@ -85,6 +85,27 @@ Counts counts(const SC::Voronoi_diagram_2<Kernel>& diagram)
   return result;
 }
 
+// The bounds of every vertex that is resolved are narrow, and hold what is rounded.
+template <class Kernel>
+void expect_vertex_bounds(const SC::Voronoi_diagram_2<Kernel>& diagram)
+{
+  for (const auto& vertex : diagram.vertices()) {
+    const bool is_proved = vertex.is_resolved && !vertex.is_at_infinity;
+    const auto& box = vertex.box;
+    EXPECT_EQ(std::isfinite(box.xmax() - box.xmin() + box.ymax() - box.ymin() + vertex.radius_bounds[1]), is_proved);
+    if (!is_proved)
+      continue;
+    const double error = 1e-6 * (1 + vertex.radius), x = CGAL::to_double(vertex.point.x()), y = CGAL::to_double(vertex.point.y());
+    EXPECT_LE((std::max)({x - box.xmin(), box.xmax() - x, y - box.ymin(), box.ymax() - y, vertex.radius - vertex.radius_bounds[0], vertex.radius_bounds[1] - vertex.radius}), error) << "vertex at " << vertex.point;
+    EXPECT_TRUE(box.xmin() <= x && x <= box.xmax() && box.ymin() <= y && y <= box.ymax() && vertex.radius_bounds[0] <= vertex.radius && vertex.radius <= vertex.radius_bounds[1]) << "vertex at " << vertex.point;
+    for (const auto& contact : vertex.contacts)
+      if (!diagram.sites()[contact.site].is_point) {
+        EXPECT_LE(contact.parameter_bounds[0], contact.parameter);
+        EXPECT_LE(contact.parameter, contact.parameter_bounds[1]);
+      }
+  }
+}
+
 // Every sample has its radius as the distance from both sites, and nothing is nearer than that: not even one of many points on all curves.
 template <class Kernel>
 void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01, double most_radius = 100)
@@ -109,6 +130,7 @@ void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std:
         EXPECT_GT(distance(center, p), sample.radius - 1e-8 * (1 + sample.radius)) << "edge " << e;
     }
   EXPECT_GT(samples, diagram.edges().size());
+  expect_vertex_bounds(diagram);
 }
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_TEST_VORONOI_CHECKS_H

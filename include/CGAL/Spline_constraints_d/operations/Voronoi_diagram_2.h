@@ -8,12 +8,15 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Vertex_bounds.h>
 #include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
 #include <CGAL/Spline_constraints_d/operations/internal/parameters_within_radius.h>
 #include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <array>
@@ -77,7 +80,7 @@ The Voronoi diagram of points and curves, trimmed: a planar graph of the points 
 
 A vertex of degree three or more is such a point of as many contacts. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
 
-Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges.
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges. One that is resolved has bounds of its point, its radius and the parameters of its contacts, which are proved.
 
 \tparam Kernel a `SplineKernel`.
 */
@@ -92,8 +95,9 @@ public:
   //! where the disk of a vertex touches a site.
   struct Contact
   {
-    std::size_t site;                   ///< the site
-    double parameter;                   ///< of the curve; of a point, no number
+    std::size_t site;                       ///< the site
+    double parameter;                       ///< of the curve; of a point, no number
+    std::array<double, 2> parameter_bounds; ///< of the exact parameter, proved if the vertex is resolved
   };
 
   //! a vertex.
@@ -105,6 +109,8 @@ public:
     std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise; one, if there are no edges
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
+    CGAL::Bbox_2 box;                   ///< the exact point is in it, by proof; infinite where nothing is proved, or it is at infinity
+    std::array<double, 2> radius_bounds;   ///< the exact distance is between them
   };
 
   //! an edge.
@@ -297,6 +303,21 @@ private:
 
   double curve_parameter(std::size_t site, double u) const { return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u); }
 
+  // The parameters of a range of a piece; of one with ends that are not known exactly, with all errors.
+  std::array<double, 2> parameter_bounds(std::size_t site, const internal::Range& range) const
+  {
+    if (m_sites[site].is_point)
+      return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+    const internal::Site_arc_2& arc = m_graph->arcs()[site];
+    const auto& [first, last] = arc.piece().domain;
+    const auto enclosed = [](const Exact_rational& x) { return internal::interval_of<internal::Interval>(x); };
+    const internal::Interval error = enclosed(arc.error()), begin = enclosed(first), result = begin + (enclosed(last) - begin) * (internal::interval_of<internal::Interval>(range) + internal::Interval(-error.sup(), error.sup()));
+    return ends(error.sup() > 0 ? result : internal::common_part(result, internal::hull(begin, enclosed(last))));
+  }
+
+  static CGAL::Bbox_2 box(const internal::Interval_pair& center) { return {center[0].inf(), center[1].inf(), center[0].sup(), center[1].sup()}; }
+  static std::array<double, 2> ends(const internal::Interval& x) { return {x.inf(), x.sup()}; }
+
   void make_sites()
   {
     const std::vector<std::size_t> regions = internal::components_of_vertices(*m_graph);
@@ -317,11 +338,15 @@ private:
     for (const auto& vertex : m_diagram->vertices()) {
       const internal::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
       const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : sample(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
-      m_vertices.push_back({at.point, at.radius, {}, {}, vertex.is_at_infinity, vertex.is_resolved});
+      const internal::Vertex_bounds bounds = internal::vertex_bounds(*m_graph, *m_diagram, vertex);
+      const auto within = [](const internal::Interval& x, const auto& value) { return std::clamp(CGAL::to_double(value), x.inf(), x.sup()); };
+      m_vertices.push_back({point(within(bounds.center[0], at.point.x()), within(bounds.center[1], at.point.y())), within(bounds.radius, at.radius), {}, {}, vertex.is_at_infinity, vertex.is_resolved, box(bounds.center), ends(bounds.radius)});
     }
     for (const internal::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = sample(part, m_diagram->end_parameter(part, false));
-      m_vertices.push_back({at.point, at.radius, {}, {{site_of(m_diagram->front(part)), at.parameters[0]}}, false, true});
+      const std::size_t site = site_of(m_diagram->front(part));
+      const internal::Site_arc_2& circle = m_graph->arcs()[site];
+      m_vertices.push_back({at.point, at.radius, {}, {{site, at.parameters[0], m_sites[site].parameters}}, false, true, box(circle.center()), ends(CGAL::sqrt(circle.squared_radius()))});
     }
   }
 
@@ -347,7 +372,7 @@ private:
         if (edge_of[h] != internal::Disk_diagram::none) {
           const std::size_t site = site_of(m_diagram->front(halfedges[h]));
           m_vertices[v].edges.push_back(edge_of[h]);
-          m_vertices[v].contacts.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false))});
+          m_vertices[v].contacts.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false)), parameter_bounds(site, m_diagram->range_of_end(h, false).range)});
         }
   }
 

@@ -112,6 +112,37 @@ public:
   // The parameter where a part begins or ends.
   double end_parameter(const Part& part, bool end) const { return end != front(part).is_reversed ? stretch(part).range.end : stretch(part).range.begin; }
 
+  // The range of a front in which the disk is where a halfedge begins or ends: between the stretches there.
+  Front_range range_of_end(std::size_t halfedge, bool end) const
+  {
+    const Part& part = end ? m_halfedges[halfedge].parts.back() : m_halfedges[halfedge].parts.front();
+    const std::vector<Disk_stretch>& stretches = m_stretches[part.front];
+    const std::size_t behind = part.stretch + (end != front(part).is_reversed);
+    const auto bound = [&](std::size_t i, bool upper) { return stretches[i].holds_events == upper ? stretches[i].range.end : stretches[i].range.begin; };
+    return {part.front, {behind > 0 ? bound(behind - 1, false) : 0, behind < stretches.size() ? bound(behind, true) : 1}};
+  }
+
+  // The point of a corner, if that is where a halfedge begins or ends.
+  std::optional<Interval_pair> corner_at_end(std::size_t halfedge, bool end) const
+  {
+    const Part& part = end ? m_halfedges[halfedge].parts.back() : m_halfedges[halfedge].parts.front();
+    if (const auto& corner = stretch(part).corner; corner && corner->is_end == (end != front(part).is_reversed))
+      return m_graph.vertices()[m_graph.vertex_of({front(part).object, corner->is_end})].point;
+    const Stretch_disks::Disk disk = estimated_disk(part, end_parameter(part, end));
+    const auto is_finite = [](const Interval& x) { return std::isfinite(x.sup() - x.inf()); };
+    return !is_finite(disk.curvature) && is_finite(disk.center[0]) && is_finite(disk.center[1]) ? std::optional(disk.center) : std::nullopt;
+  }
+
+  // The arc of a circle, if any, all of which a disk touches where a halfedge begins: its stretch comes before that.
+  std::optional<std::size_t> circle_before(std::size_t halfedge) const
+  {
+    const Part& first = m_halfedges[halfedge].parts.front();
+    for (Part part = part_after(m_halfedges[m_halfedges[halfedge].previous].parts.back()); part.front != first.front || part.stretch != first.stretch; part = part_after(part))
+      if (stretch(part).contact.kind == Disk_contact::Kind::CIRCLE)
+        return front(part).object;
+    return std::nullopt;
+  }
+
   const std::shared_ptr<const Fine_level>& fine_level() const { return m_fine_level; }
 
   // See Stretch_disks.
@@ -142,6 +173,18 @@ private:
       f = m_graph.fronts()[f].next;
     } while (f != first);
     return is_unresolved;
+  }
+
+  // The next one in the traversal of a cycle, of which some part is resolved.
+  Part part_after(const Part& part) const
+  {
+    const bool is_reversed = front(part).is_reversed;
+    if (is_reversed ? part.stretch > 0 : part.stretch + 1 < m_stretches[part.front].size())
+      return {part.front, is_reversed ? part.stretch - 1 : part.stretch + 1};
+    std::size_t f = front(part).next;
+    while (m_stretches[f].empty())
+      f = m_graph.fronts()[f].next;
+    return {f, m_graph.fronts()[f].is_reversed ? m_stretches[f].size() - 1 : 0};
   }
 
   // Whether a part begins where another one ends, in the next fan of the same vertex.
@@ -281,6 +324,7 @@ private:
         visit(h);
         h = previous_twin(h);
       } while (h != none && m_halfedges[h].source == none);
+      vertex.is_resolved = vertex.is_resolved && (h != none || vertex.is_at_infinity);
       m_vertices.push_back(std::move(vertex));
     }
   }

@@ -42,6 +42,7 @@ struct Disk_stretch
   std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
   std::vector<std::pair<Range, Located_contact>> boxes{};   // ranges of the front in order, and where the contact is
   std::optional<Corner_end> corner{};                       // where disks are in a pocket, which is smaller than doubles can tell
+  bool holds_events = false;                                // at its ends; they are not known any better
 
   const Located_contact& located(double u) const
   {
@@ -290,6 +291,7 @@ private:
     append_event(Disk_event::CROSSING, last, {event, end});
     Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
     corner.corner = Corner_end{pocket->end(), in_doubles(curvature)};
+    corner.holds_events = true;
     return true;
   }
 
@@ -371,8 +373,10 @@ private:
     if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[part.front]))   // smaller parts tell more
       return false;
     append(before, {range.begin, zero.begin});
-    if (between)
+    if (between) {
       append_event(event, *between, zero);
+      m_stretches.back().holds_events = true;
+    }
     append_event(event, after, {zero.end, range.end});
     return true;
   }
@@ -407,6 +411,7 @@ private:
     m_stretches.back().events[1] = first.events[1];
     if (first.corner)
       m_stretches.back().corner = first.corner;
+    m_stretches.back().holds_events = m_stretches.back().holds_events || first.holds_events;
     m_stretches.insert(m_stretches.end(), stretches.begin() + 1, stretches.end());
   }
 
