@@ -99,6 +99,15 @@ TEST(SingularEnds, InflectionsAndSharpCorners)
     expect_valid(SC::voronoi_diagram(curves), curves);
 }
 
+// A letter Z: in the corners, the curvature of disks through the bars behind the half-plane of the normal grows to zero, which does not matter.
+TEST(SingularEnds, CornersOfAZ)
+{
+  for (const Curve& stroke : {bezier({P(1, 1), P(0.703125, 0.42578125), P(0.28125, 0), P(0.28125, 0)}), bezier({P(1, 1), P(1, 1), P(0.5, 0.625), P(0.28125, 0)})}) {
+    const Curves curves{bezier({P(0, 1), P(1, 1)}), stroke, bezier({P(0.28125, 0), P(1.28125, 0)})};
+    expect_valid(SC::voronoi_diagram(curves), curves);
+  }
+}
+
 // Segments whose control points coincide at both ends have the diagram of the polygon.
 TEST(SingularEnds, StraightSides)
 {

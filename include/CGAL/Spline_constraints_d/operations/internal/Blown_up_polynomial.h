@@ -68,14 +68,17 @@ private:
     bool has_sign = true;                   // all that matter have the same one
     bool begins_irrelevant = false, ends_irrelevant = false;
 
+    // Whether a piece that matters may come next. Falling ones may have a maximum each, if there is something between that does not matter.
+    bool accepts(Piece piece) const { return piece != Piece::UNKNOWN && (!last || *last < piece || (*last == piece && !(piece == Piece::FALLING && ends_irrelevant))); }
+
     // Returns whether their order is still that of one maximum.
     bool append(Piece piece)
     {
+      const bool is_in_order = piece == Piece::IRRELEVANT || accepts(piece);
       ends_irrelevant = piece == Piece::IRRELEVANT;
       begins_irrelevant = begins_irrelevant || (ends_irrelevant && !first);
       if (ends_irrelevant)
         return true;
-      const bool is_in_order = piece != Piece::UNKNOWN && (!last || *last <= piece);
       has_sign = has_sign && piece != Piece::FALLING && (!last || *last == piece);
       if (!first)
         first = piece;
@@ -211,7 +214,7 @@ private:
     Piece found = piece(common_part(g.value, centered), g.by_ratio);
     if (found == Piece::UNKNOWN && is_zero_in_corner(false) && !(a.begin > 0) && !(m.begin > 0))
       found = piece_of_dominant_sign(a.end, m.end, false);
-    if (found != Piece::UNKNOWN || depth == most_depth)
+    if (pieces.accepts(found) || depth == most_depth)   // else smaller ones may not matter
       return pieces.append(found);
     return append_ratios(a, {m.begin, m.middle()}, depth + 1, is_irrelevant, pieces) && append_ratios(a, {m.middle(), m.end}, depth + 1, is_irrelevant, pieces);
   }
@@ -288,7 +291,7 @@ private:
     Piece found = is_corner ? piece_at_far_corner(h) : piece(h.value, b.interval() * h.by_radius - l * h.by_ratio);
     if (is_corner && found == Piece::UNKNOWN)
       found = piece_of_dominant_sign(b.end, most, true);
-    if (found != Piece::UNKNOWN || depth == most_far_depth)
+    if (pieces.accepts(found) || depth == most_far_depth)
       return pieces.append(found);
     // Paths pass large l and small b first.
     const double ratio = most / far_split;
