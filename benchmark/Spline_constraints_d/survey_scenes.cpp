@@ -148,7 +148,6 @@ Answer offset(unsigned scene)
   return answer;
 }
 
-// Of a diagram: the disks of samples of edges touch both sites, and none contains a sample of a curve.
 bool has_narrow_bounds(const SC::Voronoi_diagram_2<K>::Vertex& vertex)
 {
   const auto holds = [&](double low, double value, double high) { return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius); };
@@ -156,6 +155,7 @@ bool has_narrow_bounds(const SC::Voronoi_diagram_2<K>::Vertex& vertex)
   return holds(box.xmin(), vertex.point.x(), box.xmax()) && holds(box.ymin(), vertex.point.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
 }
 
+// Of a diagram: the disks of samples of edges touch both sites, and none contains a sample of a curve.
 Answer answer_of_diagram(const Curves& curves)
 {
   constexpr double error = 0.01, most_radius = 100, most_difference = 1e-8;
