@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 void expect_complete(const Curves& curves)
@@ -62,7 +64,7 @@ TEST(SmallFeatures, DiskBetweenCornersOfSquares)
 // What is between two circles is nearest to both on an ellipse, with the centers as foci.
 TEST(SmallFeatures, CircleInACircle)
 {
-  for (const double radius : {1e-2, 1e-3, 1e-4}) {
+  for (const double radius : {1e-2, 1e-4, 1e-8}) {
     SCOPED_TRACE(radius);
     const P center(0.5, 0.25), origin(0, 0);
     const auto diagram = SC::voronoi_diagram(Curves{SC::circle_curve(origin, 2.), SC::circle_curve(center, radius)});
@@ -82,6 +84,43 @@ TEST(SmallFeatures, CubicBesideASegment)
   for (const double size : {1e-2, 1e-3, 1e-4}) {
     SCOPED_TRACE(size);
     expect_complete({bezier({{0, 0}, {4, 0}}), bezier({{1, 1}, {1 + size, 1 + size}, {1 + 2 * size, 1}, {1 + 3 * size, 1 + size}})});
+  }
+}
+
+// Whether an edge belongs to a curve, not only to an end of the first one.
+bool is_of(const Diagram& diagram, std::size_t edge, std::size_t curve)
+{
+  const auto& sites = diagram.edges()[edge].sites;
+  return std::any_of(sites.begin(), sites.end(), [&](std::size_t s) { return diagram.sites()[s].curve == curve && (curve > 0 || !diagram.sites()[s].is_point); });
+}
+
+// The diagram does not depend on how small a curve is; disks that are large beside it are those of a point.
+TEST(SmallFeatures, SmallCurvesBesideASegment)
+{
+  const std::vector<std::vector<P>> shapes{{P(0, 0), P(1, 1), P(2, 1)}, {P(0, 0), P(1, -1), P(2, -1)}, {P(0, 0), P(1, 1), P(2, 1), P(3, 0)}, {P(0, 0), P(2, 0), P(4, 2), P(6, 3)}, {P(0, 0), P(3, 0), P(0, 3), P(3, 3)}};
+  for (const auto& shape : shapes) {
+    SCOPED_TRACE(&shape - shapes.data());
+    std::optional<Counts> first;
+    for (const double size : {0x1p-10, 0x1p-20, 0x1p-30}) {
+      SCOPED_TRACE(size);
+      std::vector<P> points;
+      for (const P& p : shape)
+        points.emplace_back(50 + size * p.x(), 10 + size * p.y());
+      const Curves curves{bezier({{0, 0}, {100, 0}}), bezier(points)};
+      const auto diagram = SC::voronoi_diagram(curves);
+      EXPECT_TRUE(diagram.is_complete());
+      expect_euler(diagram);
+      expect_empty_disks(diagram, curves);
+      EXPECT_EQ(counts(diagram), *(first ? first : first = counts(diagram)));
+      std::size_t samples = 0;
+      for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+        if (is_of(diagram, e, 0) && is_of(diagram, e, 1))
+          for (const auto& sample : diagram.polyline(e, 0.01, 10)) {
+            EXPECT_NEAR(distance(sample.point, P(50, 10)), sample.point.y(), 8 * size);
+            ++samples;
+          }
+      EXPECT_GT(samples, 16U);
+    }
   }
 }
 

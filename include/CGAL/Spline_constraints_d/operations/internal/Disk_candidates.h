@@ -8,10 +8,12 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Singular_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/compared_points.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -127,6 +129,7 @@ public:
     }
     for (const std::size_t i : settled)
       candidates.push_back(pool[i]);
+    erase_lower_on_small_arcs(part, middle, attained.least, candidates);
     return attained;
   }
 
@@ -166,6 +169,48 @@ private:
     if (candidate.kind == Disk_candidate::Kind::VERTEX)
       return difference.sup() < 0;
     return (difference + k.factor * k.dv * (interval_of<Interval>(candidate.range) - Interval(candidate.range.middle()))).sup() < 0;
+  }
+
+  // Removes the parts of small arcs that are lower than a point of the same arc throughout: an end, or the one that is about the highest. All curvatures are nearly the same there, and change more over the part than they differ.
+  void erase_lower_on_small_arcs(const Front_part& part, const Front_part& middle, double least, std::vector<Disk_candidate>& candidates) const
+  {
+    const auto is_on = [](const Disk_candidate& c, std::size_t arc) { return c.kind == Disk_candidate::Kind::ARC && c.index == arc; };
+    std::vector<std::size_t> arcs;
+    for (const Disk_candidate& c : candidates)
+      if (c.kind == Disk_candidate::Kind::ARC && is_small_and_elsewhere(part, c.index, least) && std::find(arcs.begin(), arcs.end(), c.index) == arcs.end())
+        arcs.push_back(c.index);
+    for (const std::size_t arc : arcs) {
+      std::vector<Disk_candidate> parts;
+      std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(parts), [&](const Disk_candidate& c) { return is_on(c, arc); });
+      if (parts.size() < 2)
+        continue;
+      const Disk_candidate& highest = *std::max_element(parts.begin(), parts.end(), [](const Disk_candidate& a, const Disk_candidate& b) { return a.at_middle.inf() < b.at_middle.inf(); });
+      const auto curvature_at = [&](const Range& range) { return m_curvature(middle, arc, range, m_graph.arcs()[arc].jet(range)); };
+      for (const double v : {maximal_curvature<Interval>(curvature_at, highest.range).parameter, 0.0, 1.0})
+        std::erase_if(candidates, [&](const Disk_candidate& c) { return is_on(c, arc) && is_lower_than_point(part, arc, v, c.range, 0); });
+    }
+  }
+
+  // Whether an arc is not that of the front, and much smaller than the disks.
+  bool is_small_and_elsewhere(const Front_part& part, std::size_t arc, double least) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    return is_small_beside_disks(part, m_tree.squared_size(arc), least) && !m_curvature.is_arc_scaled(arc) && (front.is_fan || front.object != arc);
+  }
+
+  // Whether points that are not farther away from each other than some squared distance are seen as one by disks of at least some curvature, which may be as large as all the scene.
+  bool is_small_beside_disks(const Front_part& part, double squared_distance, double least) const
+  {
+    constexpr double most_share = 0x1p-20;   // of the square
+    return squared_distance < most_share * m_tree.squared_size() && squared_distance * least * least < most_share * squared_norm(part.jet.normal).inf();
+  }
+
+  bool is_lower_than_point(const Front_part& part, std::size_t arc, double v, const Range& range, int depth) const
+  {
+    constexpr int most_depth = 5;
+    const int sign = range.meets({v, v}) ? 0 : compared_points(m_graph.arcs()[arc], {v, v}, range).sign(part);
+    const auto is_lower = [&](const Range& r) { return is_lower_than_point(part, arc, v, r, depth + 1); };
+    return sign > 0 || (sign == 0 && depth < most_depth && !range.meets({v, v}) && is_lower({range.begin, range.middle()}) && is_lower({range.middle(), range.end}));
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
@@ -229,8 +274,20 @@ private:
     const auto size = [](const auto& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
+    if (is_small_at_fan(part, candidate, least))
+      return false;
     const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds, least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
     return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5 && !is_decided_by_parts(part, candidate);
+  }
+
+  // Whether an arc that begins or ends in the vertex of a fan is much smaller than the disks, and not known to be out of reach: most of it is, when it is divided, as disks through its points are small.
+  bool is_small_at_fan(const Front_part& part, const Disk_candidate& candidate, double least) const
+  {
+    constexpr double least_width = 0x1p-6;
+    const Front& front = m_graph.fronts()[part.front];
+    if (!front.is_fan || candidate.range.width() <= least_width || (m_graph.vertex_of({candidate.index, false}) != front.object && m_graph.vertex_of({candidate.index, true}) != front.object))
+      return false;
+    return is_small_beside_disks(part, squared_norm(candidate.jet[0] - part.jet.point).sup(), least);
   }
 
   // Whether more is learnt of the derivative in the parts of a candidate than in parts of the front: of small curves far away.

@@ -96,30 +96,25 @@ public:
   // Whether each branch is a function.
   bool are_known() const { return m_are_known; }
 
-  // The branches, but for those that are below another one throughout the part.
+  // The branches, but for those that are below another one throughout the part. Those that move are the greater one of two contacts.
   std::vector<Disk_branch> highest() const
   {
     if (m_branches.size() < 2)
       return m_branches;
-    const Interval shift = shift_from_middle();
-    std::vector<Disk_branch> result;
-    std::vector<std::pair<Disk_branch, Curvature_expansion>> still;   // those that do not move
+    std::vector<std::pair<Disk_branch, std::vector<Curvature_expansion>>> highest;
     for (const Disk_branch& branch : m_branches) {
-      if (branch.move) {
-        result.push_back(branch);
-        continue;
-      }
-      const Curvature_expansion curvature = expansion(branch);
+      const std::pair next(branch, branch.move ? std::vector{expansion(branch.move->positive), expansion(branch.move->negative)} : std::vector{expansion(branch)});
       bool is_below = false;
-      for (auto other = still.begin(); other != still.end() && !is_below;) {
-        const int order_of_points = difference_of_points(m_part, branch, other->first).sign(shift), order = order_of_points != 0 ? order_of_points : (curvature - other->second).sign(shift);
+      for (auto other = highest.begin(); other != highest.end() && !is_below;) {
+        const int order = order_over_part(next, *other);
         is_below = order < 0;
-        other = order > 0 ? still.erase(other) : other + 1;
+        other = order > 0 ? highest.erase(other) : other + 1;
       }
       if (!is_below)
-        still.emplace_back(branch, curvature);
+        highest.push_back(next);
     }
-    for (const auto& [branch, curvature] : still)
+    std::vector<Disk_branch> result;
+    for (const auto& [branch, curvatures] : highest)
       result.push_back(branch);
     return result;
   }
@@ -172,7 +167,7 @@ public:
     const auto x = contact_at(a, u), y = contact_at(b, u);
     if (!x || !y)
       return 0;
-    const int order_of_points = certain_sign(difference_of_points(part, *x, *y).at_middle);
+    const int order_of_points = certain_sign(difference_of_points(m_graph, m_curvature, part, *x, *y).at_middle);
     return order_of_points != 0 ? order_of_points : certain_sign(maximum(part, *x) - maximum(part, *y));
   }
 
@@ -201,12 +196,24 @@ public:
   // By the first derivatives, and where these are nearly the same, as for points next to each other, by the second ones.
   bool is_difference_monotone(const Disk_branch& a, const Disk_branch& b) const
   {
-    if (!a.move && !b.move && certain_sign(difference_of_points(m_part, a, b).slope) != 0)
+    if (!a.move && !b.move && certain_sign(difference_of_points(m_graph, m_curvature, m_part, a, b).slope) != 0)
       return true;
     return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && certain_sign((expansion(a) - expansion(b)).derivative(shift_from_middle())) != 0);
   }
 
 private:
+  // Which of two branches has the greater curvature throughout the part, 0 if that is not certain.
+  int order_over_part(const std::pair<Disk_branch, std::vector<Curvature_expansion>>& a, const std::pair<Disk_branch, std::vector<Curvature_expansion>>& b) const
+  {
+    const Interval shift = shift_from_middle();
+    if (const int order = a.first.move || b.first.move ? 0 : difference_of_points(m_graph, m_curvature, m_part, a.first, b.first).sign(shift); order != 0)
+      return order;
+    const auto is_below = [&](const auto& lower, const auto& upper) {
+      return std::all_of(lower.begin(), lower.end(), [&](const auto& x) { return std::any_of(upper.begin(), upper.end(), [&](const auto& y) { return (x - y).sign(shift) < 0; }); });
+    };
+    return is_below(a.second, b.second) ? -1 : is_below(b.second, a.second) ? 1 : 0;
+  }
+
   Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
 
   Curvature_bounds at(const Front_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
@@ -477,13 +484,6 @@ private:
     if (arc.is_straight())
       return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n);
     return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
-  }
-
-  // Of two points, however near they are to each other, up to a positive factor; nothing is known if contacts are not both points that are known exactly.
-  Curvature_expansion difference_of_points(const Front_part& part, const Located_contact& a, const Located_contact& b) const
-  {
-    const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(c.index) && m_graph.vertices()[c.index].is_exact; };
-    return is_exact_point(a.contact) && is_exact_point(b.contact) ? scaled_difference_of_points(m_graph, m_curvature, part, a.contact.index, b.contact.index) : Curvature_expansion();
   }
 
   Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }

@@ -40,26 +40,40 @@ public:
 private:
   std::vector<Item> m_items;
   std::vector<Node> m_nodes;   // the root comes first
+  std::vector<double> m_squared_sizes;   // of the arcs
+  double m_squared_size = 0;             // of everything
 
 public:
   // Vertices on arcs are sites as well if that is asked for.
   explicit Site_tree_2(const Site_graph_2& graph, const std::vector<bool>& are_sites = {})
   {
     const Upward_rounding_guard guard;
-    for (std::size_t i = 0; i < graph.arcs().size(); ++i)
+    for (std::size_t i = 0; i < graph.arcs().size(); ++i) {
       m_items.push_back({true, i, graph.arcs()[i].point(Range())});
+      m_squared_sizes.push_back(squared_diagonal(m_items.back().box));
+    }
     for (std::size_t i = 0; i < graph.vertices().size(); ++i)
       if (graph.vertices()[i].ends.empty() || (i < are_sites.size() && are_sites[i]))
         m_items.push_back({false, i, graph.vertices()[i].point});
     if (!m_items.empty())
-      build(0, m_items.size());
+      m_squared_size = squared_diagonal(m_nodes[build(0, m_items.size())].box);
   }
 
   bool empty() const { return m_items.empty(); }
   const Node& node(std::size_t i) const { return m_nodes[i]; }
   const Item& item(const Node& leaf) const { return m_items[leaf.first]; }
 
+  // Not less than the squared distance of any two points of an arc, or of any two sites.
+  double squared_size(std::size_t arc) const { return m_squared_sizes[arc]; }
+  double squared_size() const { return m_squared_size; }
+
 private:
+  static double squared_diagonal(const Interval_pair& box)
+  {
+    const auto square = [](const Interval& x) { return CGAL::square(Interval(x.sup()) - Interval(x.inf())); };
+    return (square(box[0]) + square(box[1])).sup();
+  }
+
   static double middle(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
 
   std::size_t build(std::size_t first, std::size_t last)
