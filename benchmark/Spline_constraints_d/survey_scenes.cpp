@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -17,6 +17,8 @@
 // - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples.
 // - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
+// - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
+// - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
@@ -200,6 +202,72 @@ Answer crossings(unsigned scene)
   Curves curves;
   for (unsigned i = 0; i < 2 + scene % 11; ++i)
     curves.push_back(cubic(random, 0));
+  return answer_of_diagram(curves);
+}
+
+Answer small(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i <= scene % 3; ++i)
+    curves.push_back(cubic(random, 0));
+  for (unsigned i = 0; i <= scene / 3 % 3; ++i) {
+    const Point place = point(random, 0, 0, 1);
+    const double size = std::ldexp(1., -10 - static_cast<int>(scene % 20));
+    std::vector<Point> points;
+    for (int k = 0; k < 4; ++k)
+      points.push_back(place + size * (point(random, 0, 0, 1) - CGAL::ORIGIN));
+    curves.push_back(SC::bezier_curve(points));
+  }
+  return answer_of_diagram(curves);
+}
+
+// The points where pieces begin, and the tangents there: the control points of a closed chain of cubics.
+std::vector<std::vector<Point>> closed_chain(const std::vector<Point>& points, const std::vector<Vector>& tangents)
+{
+  std::vector<std::vector<Point>> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t next = (i + 1) % points.size();
+    result.push_back({points[i], points[i] + tangents[i], points[next] - tangents[next], points[next]});
+  }
+  return result;
+}
+
+Answer rotated(unsigned scene)
+{
+  constexpr double quarter = 0.5522847498;   // the length of the tangents of a quarter of a circle
+  std::mt19937 random(scene);
+  const double a = number(random, 1, 3), b = number(random, 1, 3), angle = number(random, 0, CGAL_PI);
+  std::vector<std::vector<Point>> chain;
+  if (scene % 3 == 0)
+    chain = closed_chain({Point(a, 0), Point(0, b), Point(-a, 0), Point(0, -b)}, {Vector(0, quarter * b), Vector(-quarter * a, 0), Vector(0, -quarter * b), Vector(quarter * a, 0)});
+  else if (scene % 3 == 1) {
+    const double radius = number(random, 0.1, 0.9), t = quarter * radius;
+    const std::vector<Point> begins{Point(a, radius - b), Point(a - radius, b), Point(-a, b - radius), Point(radius - a, -b)}, ends{Point(a, b - radius), Point(radius - a, b), Point(-a, radius - b), Point(a - radius, -b)};
+    const std::vector<Vector> tangents{Vector(0, t), Vector(-t, 0), Vector(0, -t), Vector(t, 0)};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t next = (i + 1) % 4;
+      chain.push_back({begins[i], ends[i]});
+      chain.push_back({ends[i], ends[i] + tangents[i], begins[next] - tangents[next], begins[next]});
+    }
+  } else {
+    std::vector<Point> points;
+    std::vector<Vector> tangents;
+    const std::size_t count = 4 + scene / 3 % 5;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double direction = 2 * CGAL_PI * static_cast<double>(i) / static_cast<double>(count), radius = number(random, 1, 2);
+      points.emplace_back(radius * std::cos(direction), radius * std::sin(direction));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      tangents.push_back((points[(i + 1) % count] - points[(i + count - 1) % count]) / 6);
+    chain = closed_chain(points, tangents);
+  }
+  Curves curves;
+  for (std::vector<Point>& points : chain) {
+    for (Point& p : points)
+      p = Point(std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y());
+    curves.push_back(SC::bezier_curve(points));
+  }
   return answer_of_diagram(curves);
 }
 
@@ -445,7 +513,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}};
 
 } // namespace
 
@@ -453,7 +521,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
