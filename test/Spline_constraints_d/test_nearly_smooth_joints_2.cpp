@@ -5,6 +5,7 @@
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
 
 #include <gtest/gtest.h>
@@ -131,6 +132,47 @@ TEST(NearlySmoothJoints, SmallPiecesFarFromTheOrigin)
   EXPECT_EQ(counts(diagram).tips, 2U);   // the corner, and a center of curvature above the cubic
   EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() == 1 && distance(v.point, at(0x1p-6, 0)) < 1e-9; }));
   expect_euler(diagram);
+}
+
+// Of closed chains, whose end points are the same numbers: on one side of each joint that is not exactly smooth there is an angle of less than 180 degrees, and a vertex in it.
+void expect_vertices_in_corners(const Diagram& diagram, const Curves& curves)
+{
+  using Exact = CGAL::Simple_cartesian<SC::Exact_rational>;
+  const auto exact = [](const P& p) { return Exact::Point_2(p.x(), p.y()); };
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto &first = curves[i].control_points(), &second = curves[(i + 1) % curves.size()].control_points();
+    const P& joint = second[0];
+    if (CGAL::orientation(exact(first[first.size() - 2]), exact(joint), exact(second[1])) == CGAL::COLLINEAR)
+      continue;
+    ++corners;
+    EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& v) { return v.edges.size() == 1 && v.point == joint && v.radius == 0 && v.box.xmax() - v.box.xmin() < 1e-14 && v.box.ymax() - v.box.ymin() < 1e-14; })) << "joint " << i;
+  }
+  EXPECT_GT(corners, 0U);
+  EXPECT_EQ(static_cast<std::size_t>(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.radius == 0; })), corners);
+}
+
+TEST(NearlySmoothJoints, VerticesInCorners)
+{
+  for (const unsigned seed : {3U, 5U, 7U}) {
+    SCOPED_TRACE(seed);
+    const Curves curves = closed_chain(seed, 0.3, 1000);
+    expect_vertices_in_corners(SC::voronoi_diagram(curves), curves);
+  }
+}
+
+// An ellipse of four cubics, which has disks that touch it in three points, one of them at the end of its long axis; rotated, these three events are nearer to each other than 2^-48 of the parameter.
+TEST(NearlySmoothJoints, RotatedEllipse)
+{
+  constexpr double quarter = 0.5522847498;
+  const auto at = [](double x, double y) { return P(std::cos(0.3) * x - std::sin(0.3) * y, std::sin(0.3) * x + std::cos(0.3) * y); };
+  const Curves curves{bezier({at(2, 0), at(2, quarter), at(2 * quarter, 1), at(0, 1)}), bezier({at(0, 1), at(-2 * quarter, 1), at(-2, quarter), at(-2, 0)}),
+                      bezier({at(-2, 0), at(-2, -quarter), at(-2 * quarter, -1), at(0, -1)}), bezier({at(0, -1), at(2 * quarter, -1), at(2, -quarter), at(2, 0)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  expect_vertices_in_corners(diagram, curves);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves);
 }
 
 // A segment and a cubic with a small kink: where the cubic turns parallel to the segment, the contact of the largest disks runs along all of that while they hardly move; and those of the kink nearly osculate the cubic.

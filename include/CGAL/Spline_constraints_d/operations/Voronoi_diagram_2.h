@@ -413,7 +413,7 @@ private:
     const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);
     const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.parameter)};
     if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf())) {   // a corner: if that is certain, the same point for all arcs that end there
-      const internal::Interval_pair& corner = std::isfinite(middle(disk.center[0])) ? disk.center : x.point;
+      const internal::Interval_pair& corner = disk.is_point ? disk.center : x.point;
       return {point(middle(corner[0]), middle(corner[1])), 0, parameters};
     }
     if (!(disk.curvature.inf() > 0))

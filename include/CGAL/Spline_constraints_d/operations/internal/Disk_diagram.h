@@ -129,8 +129,7 @@ public:
     if (const auto& corner = stretch(part).corner; corner && corner->is_end == (end != front(part).is_reversed))
       return m_graph.vertices()[m_graph.vertex_of({front(part).object, corner->is_end})].point;
     const Stretch_disks::Disk disk = estimated_disk(part, end_parameter(part, end));
-    const auto is_finite = [](const Interval& x) { return std::isfinite(x.sup() - x.inf()); };
-    return !is_finite(disk.curvature) && is_finite(disk.center[0]) && is_finite(disk.center[1]) ? std::optional(disk.center) : std::nullopt;
+    return disk.is_point ? std::optional(disk.center) : std::nullopt;
   }
 
   // The arc of a circle, if any, all of which a disk touches where a halfedge begins: its stretch comes before that.
@@ -236,14 +235,16 @@ private:
     }
   }
 
+  // The disks of one of two twins tell which one the other is, unless they are too near to an event; those of both do not contradict each other.
   void match_twins()
   {
+    std::vector<std::size_t> twins(m_halfedges.size(), none), told(m_halfedges.size(), 0);   // of the latter how many have it as their twin
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (!is_at_infinity(m_halfedges[i]))
-        m_halfedges[i].twin = twin_of(m_halfedges[i]);
+      if (!is_at_infinity(m_halfedges[i]) && (twins[i] = twin_of(m_halfedges[i])) != none)
+        ++told[twins[i]];
     for (std::size_t i = 0; i < m_halfedges.size(); ++i)
-      if (std::size_t& twin = m_halfedges[i].twin; !is_at_infinity(m_halfedges[i]) && (twin == none || m_halfedges[twin].twin != i))
-        twin = none;   // so that no walk around a vertex goes into a cycle that it did not begin in
+      if (const std::size_t twin = twins[i]; twin != none && told[twin] == 1 && (twins[twin] == i || (twins[twin] == none && told[i] == 0)))
+        std::tie(m_halfedges[i].twin, m_halfedges[twin].twin) = std::pair(twin, i);
   }
 
   std::size_t twin_of(const Halfedge& h) const

@@ -79,10 +79,11 @@ class Basic_maximal_disks
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
-  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-48, least_width_in_joint = 0x1p-6;   // of parts; normals of a small fan differ by less than disks show
+  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52, least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;   // of parts; normals of a small fan differ by less than doubles show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double widest_event = 0x1p-12;        // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
+  static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of a front
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
 
   template <Enclosing_number Other>
@@ -97,7 +98,7 @@ class Basic_maximal_disks
   Disk_slopes* m_slopes = nullptr;   // of the front
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
-  int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0;
+  int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
 
 public:
   Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Fine_level* fine_level = nullptr)
@@ -119,6 +120,7 @@ public:
     m_nodes = 0;
     m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
     m_fine_nodes = 0;
+    m_places = 0;
     Range range;
     for (const bool end : {false, true})
       if (const auto* cusp = cusp_at(front, end)) {
@@ -171,8 +173,9 @@ private:
       Front_tangent(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
-    const bool is_last = range.width() < (m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]) ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
-    if ((is_last || Fine_level::is_tried(range, split_ratio)) && resolve_on_fine_level(front, range, candidates, is_last))
+    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
+    const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);   // with numbers that tell the normals of such a joint apart
+    if ((is_divided_there || Fine_level::is_tried(range, split_ratio)) && resolve_on_fine_level(front, range, candidates, is_divided_there))
       return;
     if (is_last) {
       if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
@@ -185,14 +188,14 @@ private:
     sweep(front, {middle, range.end}, std::move(candidates));
   }
 
-  // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is not the last one.
-  bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
+  // Sweeps a range with numbers of higher precision, with what is left to touch there.
+  bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes)
         return false;
       const bool are_many = candidates.size() > Fine_level::most_candidates;
-      const int nodes = !is_last ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
+      const int nodes = !is_divided ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
       const auto stretches = disks.resolved(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes);
       m_fine_nodes += disks.m_nodes + are_many;
@@ -415,10 +418,11 @@ private:
     m_stretches.insert(m_stretches.end(), stretches.begin() + 1, stretches.end());
   }
 
-  // The diagram is not complete then: less is done for the rest of the front.
+  // The diagram is not complete then: less is done for the rest of the front, unless there are only some such places, and small ones.
   void append_unresolved(const Range& range)
   {
-    m_most_nodes = (std::min)(m_most_nodes, m_nodes + most_unproved_nodes);
+    if (range.width() > least_width || ++m_places > most_places)
+      m_most_nodes = (std::min)(m_most_nodes, m_nodes + most_unproved_nodes);
     if (m_unresolved)
       m_unresolved->end = range.end;
     else

@@ -25,6 +25,7 @@ struct Basic_stretch_disk
   Interval curvature;   // 1 / radius, in units of the length of the normal
   Range other_range;    // of an arc, with the parameter there
   double parameter;     // one of them
+  bool is_point = false;   // of a corner, in which there is no disk
 };
 
 // The disks along stretches of maximal disks: in doubles, and where these do not tell the curvature, with numbers of higher precision.
@@ -61,7 +62,10 @@ public:
     if (joint && m_graph.fronts()[front].is_fan)
       return with_curvature(m_curvature.part(front, {u, u}), *joint);
     const Disk result = (*this)(front, stretch, u);
-    return joint && !(result.curvature.inf() > joint->curvature.inf()) ? with_curvature(m_curvature.part(front, {u, u}), *joint) : result;
+    if (joint && !(result.curvature.inf() > joint->curvature.inf()))
+      return with_curvature(m_curvature.part(front, {u, u}), *joint);
+    const bool is_only_bounded = result.curvature.inf() > 0 && !std::isfinite(result.curvature.sup());
+    return is_only_bounded ? with_curvature(m_curvature.part(front, {u, u}), Attained_curvature{Interval(result.curvature.inf()), result.other_range, result.parameter}) : result;
   }
 
   // The front that the disk touches elsewhere, if that is certain, by doubles or numbers of higher precision.
@@ -124,12 +128,20 @@ private:
       const double v = end.parameter();
       if (end.arc != stretch.contact.index)
         continue;
-      const int side = certain_sign(Interval(end.is_end ? -1 : 1) * dot(normal, m_graph.arcs()[end.arc].direction_over({v, v})));
+      const int side = side_of_normal(front, u, end);
       const bool is_corner = !is_fan && (end == across || side > 0), is_round = side == 0 && stretch.located(u).range.meets({v, v}) && (is_bent_infinitely(normal, end) || (!is_fan && is_bent_infinitely(normal, own)));
       if (is_corner || is_round)
-        return Disk{vertex.point, any_number(), {v, v}, v};
+        return Disk{vertex.point, any_number(), {v, v}, v, true};
     }
     return std::nullopt;
+  }
+
+  // Whether an arc leaves the vertex in which a front begins or ends into the half-plane of its normal there (1), or out of it (-1): exactly, where the ends are known so.
+  int side_of_normal(const Front& front, double u, const Arc_end& end) const
+  {
+    if (m_graph.is_exact(end) && (front.is_fan || m_graph.is_exact({front.object, u == 1})))
+      return sign_of(exact_dot(m_graph.exact_normal(front, Exact_rational(u)), m_graph.direction(end)));
+    return certain_sign(Interval(end.is_end ? -1 : 1) * dot(m_graph.front_jet(front, {u, u}).normal, m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()})));
   }
 
   // Whether an arc has infinite curvature in an end, toward the side of the normal.
