@@ -4,10 +4,13 @@
 // The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
@@ -191,6 +194,44 @@ TEST(FineLevel, RoundedEllipse)
   EXPECT_EQ(diagram.edges().size(), 13U);
   EXPECT_EQ(diagram.vertices().size(), 14U);
   expect_empty_disks(diagram, curves, 0.05, 20);
+}
+
+// Stretches of fronts, of each fourth one, follow each other, up to ranges that hold an event, or are said to be unresolved.
+void expect_nothing_left_out(const Curves& curves)
+{
+  using SC::internal::Disk_event;
+  constexpr double widest_event = 0x1p-12;
+  const SC::Upward_rounding_guard guard;
+  const auto graph = SC::internal::site_graph(curves, std::vector<P>());
+  const SC::internal::Site_tree_2 tree(*graph);
+  const SC::internal::Cusps_2 cusps = SC::internal::Cusp_finder_2(*graph, tree)();
+  const SC::internal::Fine_level fine_level(*graph);
+  for (std::size_t f = 0; f < graph->fronts().size(); f += 4) {
+    SCOPED_TRACE(f);
+    const auto stretches = SC::internal::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
+    ASSERT_FALSE(stretches.empty());
+    EXPECT_TRUE(stretches.front().range.begin == 0 || stretches.front().events[0] == Disk_event::UNRESOLVED);
+    EXPECT_TRUE(stretches.back().range.end == 1 || stretches.back().events[1] == Disk_event::UNRESOLVED);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      const auto& boxes = stretches[i].boxes;
+      for (std::size_t k = 1; k < boxes.size(); ++k)
+        EXPECT_EQ(boxes[k - 1].first.end, boxes[k].first.begin);
+      EXPECT_EQ(boxes.front().first.begin, stretches[i].range.begin);
+      EXPECT_EQ(boxes.back().first.end, stretches[i].range.end);
+      if (i > 0) {
+        const Disk_event event = stretches[i].events[0];
+        const double gap = stretches[i].range.begin - stretches[i - 1].range.end;
+        EXPECT_EQ(stretches[i - 1].events[1], event);
+        EXPECT_TRUE(event == Disk_event::UNRESOLVED || (event != Disk_event::NONE && 0 <= gap && gap <= widest_event));
+      }
+    }
+  }
+}
+
+// With several events that are closer to each other than parameters tell, next to an end.
+TEST(FineLevel, SweepsLeaveNothingOut)
+{
+  expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60));
 }
 
 // A curvature with two equal maxima, which no bounds tell apart: 1 - 8 (v - a)^2 (v - b)^2.

@@ -136,14 +136,14 @@ public:
     return std::move(m_stretches);
   }
 
-  // Those of a part of a front, if all of it can be resolved, and is divided no more often than some number.
-  std::optional<std::vector<Disk_stretch>> resolved(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes)
+  // Sweeps a part of a front, which is divided no more often than some number. Returns whether all of it is resolved.
+  bool resolve_part(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes)
   {
     m_slopes = &slopes;
     m_most_nodes = nodes;
     sweep(front, range, std::move(candidates));
-    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[1] != Disk_event::UNRESOLVED; };
-    return !m_unresolved && std::all_of(m_stretches.begin(), m_stretches.end(), is_resolved) ? std::optional(std::move(m_stretches)) : std::nullopt;
+    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
+    return !m_unresolved && std::all_of(m_stretches.begin(), m_stretches.end(), is_resolved);
   }
 
 private:
@@ -188,7 +188,7 @@ private:
     sweep(front, {middle, range.end}, std::move(candidates));
   }
 
-  // Sweeps a range with numbers of higher precision, with what is left to touch there.
+  // Sweeps a range with numbers of higher precision, with what is left to touch there. Returns whether it is resolved, but for smaller ranges of one that is not to be divided.
   bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
   {
     if constexpr (is_in_doubles) {
@@ -197,11 +197,16 @@ private:
       const bool are_many = candidates.size() > Fine_level::most_candidates;
       const int nodes = !is_divided ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
-      const auto stretches = disks.resolved(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes);
+      const bool is_resolved = disks.resolve_part(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes);
       m_fine_nodes += disks.m_nodes + are_many;
-      if (stretches)
-        append(*stretches);
-      return stretches.has_value();
+      if (!is_resolved && (!(range.width() < least_width) || disks.m_stretches.empty()))
+        return false;
+      if (const double begin = disks.m_stretches.front().range.begin; begin > range.begin)
+        append_unresolved({range.begin, begin});
+      append(disks.m_stretches);
+      if (disks.m_unresolved)
+        append_unresolved(*disks.m_unresolved);
+      return true;
     }
     return false;
   }
