@@ -5,6 +5,7 @@
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
 
@@ -15,6 +16,9 @@
 #include <cstddef>
 #include <random>
 #include <vector>
+
+using Exact = CGAL::Simple_cartesian<SC::Exact_rational>;
+using Exact_curves = std::vector<SC::Bspline_curve_2<Exact>>;
 
 // Closed chains of cubics; those that meet have the same tangent, up to what rounding makes of it.
 Curves closed_chain(unsigned seed, double angle, double grid)
@@ -137,7 +141,6 @@ TEST(NearlySmoothJoints, SmallPiecesFarFromTheOrigin)
 // Of closed chains, whose end points are the same numbers: on one side of each joint that is not exactly smooth there is an angle of less than 180 degrees, and a vertex in it.
 void expect_vertices_in_corners(const Diagram& diagram, const Curves& curves)
 {
-  using Exact = CGAL::Simple_cartesian<SC::Exact_rational>;
   const auto exact = [](const P& p) { return Exact::Point_2(p.x(), p.y()); };
   std::size_t corners = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -186,6 +189,90 @@ TEST(NearlySmoothJoints, KinkBesideASegment)
     expect_euler(diagram);
     expect_empty_disks(diagram, curves);
   }
+}
+
+// How many joints of a closed chain are exactly smooth.
+std::size_t smooth_joints(const Exact_curves& curves)
+{
+  std::size_t result = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto first = curves[i].control_points(), second = curves[(i + 1) % curves.size()].control_points();
+    EXPECT_EQ(first.back(), second.front());
+    result += CGAL::orientation(first[first.size() - 2], first.back(), second[1]) == CGAL::COLLINEAR && (first.back() - first[first.size() - 2]) * (second[1] - second[0]) > 0;
+  }
+  return result;
+}
+
+TEST(SmoothJoints, MovedControlPoints)
+{
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const Curves curves = closed_chain(seed, 0.3, 1000);
+    const auto result = SC::with_smooth_joints<Exact>(curves, 1e-12);
+    EXPECT_EQ(result.left, 0U);
+    EXPECT_GT(result.joints, 0U);
+    EXPECT_GT(result.displacement, 0);
+    EXPECT_LT(result.displacement, 1e-14);
+    EXPECT_EQ(smooth_joints(result.curves), curves.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      const SC::Bspline_curve_2<Exact> given(curves[i]);
+      EXPECT_EQ(result.curves[i].source(), given.source());
+      EXPECT_EQ(result.curves[i].target(), given.target());
+      EXPECT_EQ(result.curves[i].knots(), given.knots());
+    }
+    const auto again = SC::with_smooth_joints<Exact>(result.curves, 1e-12);
+    EXPECT_EQ(again.joints, 0U);
+    EXPECT_EQ(again.displacement, 0);
+  }
+}
+
+// A segment keeps its tangent, as does a quadratic; two of these are left, and so is what is no joint of two ends, or has a larger angle.
+TEST(SmoothJoints, WhatIsKept)
+{
+  const auto segment = bezier({P(0, 0), P(1, 0)}), cubic = bezier({P(1, 0), P(2, 1e-6), P(3, 1), P(3, 2)}), quadratic = bezier({P(3, 2), P(3 + 1e-6, 3), P(2, 4)}), other = bezier({P(-1, 1e-6), P(0, 0)});
+  const auto points = [](const SC::Smooth_joints_2<Exact>& result, std::size_t i) { return result.curves[i].control_points(); };
+  const auto result = SC::with_smooth_joints<Exact>(Curves{segment, cubic, quadratic, other}, 1e-5);
+  EXPECT_EQ(result.joints, 2U);
+  EXPECT_EQ(result.left, 1U);
+  EXPECT_NEAR(result.displacement, 1e-6, 1e-9);
+  EXPECT_EQ(points(result, 0), SC::Bspline_curve_2<Exact>(segment).control_points());
+  EXPECT_EQ(points(result, 2), SC::Bspline_curve_2<Exact>(quadratic).control_points());
+  EXPECT_EQ(points(result, 1)[1], Exact::Point_2(2, 0));
+  EXPECT_TRUE(CGAL::collinear(points(result, 1)[2], points(result, 1)[3], points(result, 2)[1]));
+  EXPECT_EQ(SC::with_smooth_joints<Exact>(Curves{segment, cubic}, 1e-7).joints, 0U);
+  EXPECT_EQ(SC::with_smooth_joints<Exact>(Curves{segment, cubic, bezier({P(1, 0), P(1, 5)})}, 1e-5).joints, 0U);
+  EXPECT_EQ(SC::with_smooth_joints<Exact>(Curves{bezier({P(0, 0), P(1, 0), P(1, 1), P(0, 0)})}, 1e-5).joints, 0U);
+  EXPECT_THROW(SC::with_smooth_joints<Exact>(Curves{}, -1), SC::Invalid_input);
+  EXPECT_THROW(SC::with_smooth_joints<Exact>(Curves{}, 1), SC::Invalid_input);
+  EXPECT_THROW(SC::with_smooth_joints<Exact>(Curves{}, std::nan("")), SC::Invalid_input);
+}
+
+// Rotated, it has kinks of 10^-16 between sides and arcs; without these, its diagram has a centre line, four branches and an edge for each half of an arc.
+TEST(SmoothJoints, RotatedRoundedRectangle)
+{
+  constexpr double quarter = 0.5522847498, a = 1.5, b = 1, r = 0.5, t = quarter * r;
+  Curves curves;
+  const auto add = [&](std::initializer_list<std::pair<double, double>> points) {
+    std::vector<P> rotated;
+    for (const auto& [x, y] : points)
+      rotated.push_back(P(std::cos(0.3) * x - std::sin(0.3) * y, std::sin(0.3) * x + std::cos(0.3) * y));
+    curves.push_back(SC::bezier_curve(rotated));
+  };
+  add({{r - a, -b}, {a - r, -b}});
+  add({{a - r, -b}, {a - r + t, -b}, {a, r - b - t}, {a, r - b}});
+  add({{a, r - b}, {a, b - r}});
+  add({{a, b - r}, {a, b - r + t}, {a - r + t, b}, {a - r, b}});
+  add({{a - r, b}, {r - a, b}});
+  add({{r - a, b}, {r - a - t, b}, {-a, b - r + t}, {-a, b - r}});
+  add({{-a, b - r}, {-a, r - b}});
+  add({{-a, r - b}, {-a, r - b - t}, {r - a - t, -b}, {r - a, -b}});
+  const auto result = SC::with_smooth_joints<Exact>(curves, 1e-12);
+  EXPECT_EQ(result.left, 0U);
+  EXPECT_LT(result.displacement, 1e-15);
+  EXPECT_EQ(smooth_joints(result.curves), 8U);
+  const auto diagram = SC::voronoi_diagram(result.curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.edges().size(), 21U);
+  expect_euler(diagram);
 }
 
 double area(const Curves& curves, double radius)
