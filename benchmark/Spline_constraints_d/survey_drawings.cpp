@@ -3,12 +3,13 @@
 
 // What one of the planar operations says of each of many drawings: a line per drawing that is not complete, is refused, or is slow, and a summary with times.
 //
-//   survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...
+//   survey_drawings diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...
 //
-// Of a folder, all drawings in it are taken, as of a folder of glyphs. With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
+// Of a folder, all drawings in it are taken, as of a folder of glyphs. With smoothed, what is asked for is the diagram of the curves with smooth joints, up to some angle. With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
@@ -88,6 +89,8 @@ std::function<std::string(const Curves&)> operation(const std::string& name)
 {
   if (name == "diagram")
     return [](const Curves& curves) { return answer_of_diagram(SC::voronoi_diagram(curves)); };
+  if (name.starts_with("smoothed="))
+    return [angle = std::atof(name.c_str() + 9) * CGAL_PI / 180](const Curves& curves) { return answer_of_diagram(SC::voronoi_diagram(SC::with_smooth_joints<K>(curves, angle).curves)); };
   if (name == "axis")
     return [](const Curves& curves) { return answer_of_diagram(SC::medial_axis(region(curves))); };
   if (name.starts_with("offset="))
@@ -133,7 +136,7 @@ int main(int argc, char* argv[])
 {
   const auto ask = operation(argc > 1 ? argv[1] : "");
   if (!ask) {
-    std::cerr << "survey_drawings diagram|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...\n";
+    std::cerr << "survey_drawings diagram|smoothed=DEGREES|axis|offset=DISTANCE|square_sum|disk_sum|sum_and_offset|sweep|hull|kernel|visible FILE_OR_FOLDER...\n";
     return 2;
   }
   int complete = 0, incomplete = 0, refused = 0;

@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -19,8 +19,11 @@
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
+// - smoothed: the same chains after with_smooth_joints().
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
@@ -150,18 +153,27 @@ Answer offset(unsigned scene)
   return answer;
 }
 
-bool has_narrow_bounds(const SC::Voronoi_diagram_2<K>::Vertex& vertex)
+template <class Given_point>
+Point rounded(const Given_point& p)
 {
-  const auto holds = [&](double low, double value, double high) { return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius); };
-  const auto& box = vertex.box;
-  return holds(box.xmin(), vertex.point.x(), box.xmax()) && holds(box.ymin(), vertex.point.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
+  return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
 }
 
-// Of a diagram: the disks of samples of edges touch both sites, and none contains a sample of a curve.
-Answer answer_of_diagram(const Curves& curves)
+template <class Vertex>
+bool has_narrow_bounds(const Vertex& vertex)
+{
+  const Point p = rounded(vertex.point);
+  const auto holds = [&](double low, double value, double high) { return low <= value && value <= high && high - low < 1e-9 * (1 + vertex.radius); };
+  const auto& box = vertex.box;
+  return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
+}
+
+// Of a diagram of curves, which may be exact: the disks of samples of edges touch both sites, and none contains a sample of a curve.
+template <class Given_curves>
+Answer answer_of_diagram(const Given_curves& given, const Curves& curves)
 {
   constexpr double error = 0.01, most_radius = 100, most_difference = 1e-8;
-  const auto diagram = SC::voronoi_diagram(curves);
+  const auto diagram = SC::voronoi_diagram(given);
   Answer answer;
   answer.is_complete = diagram.is_complete();
   answer.size = diagram.edges().size();
@@ -173,16 +185,19 @@ Answer answer_of_diagram(const Curves& curves)
   const std::vector<Point> along = samples(curves, 500);
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
+      const Point center = rounded(sample.point);
       const double allowed = most_difference * (1 + sample.radius);
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        const Point foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
-        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(sample.point, foot)) - sample.radius) < allowed);
+        const Point foot = site.is_point ? rounded(site.point) : curves[site.curve](sample.parameters[side]);
+        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(center, foot)) - sample.radius) < allowed);
       }
-      answer.is_differing = answer.is_differing || !(distance(sample.point, along) > sample.radius - allowed);
+      answer.is_differing = answer.is_differing || !(distance(center, along) > sample.radius - allowed);
     }
   return answer;
 }
+
+Answer answer_of_diagram(const Curves& curves) { return answer_of_diagram(curves, curves); }
 
 Answer lines(unsigned scene)
 {
@@ -233,7 +248,7 @@ std::vector<std::vector<Point>> closed_chain(const std::vector<Point>& points, c
   return result;
 }
 
-Answer rotated(unsigned scene)
+Curves rotated_chain(unsigned scene)
 {
   constexpr double quarter = 0.5522847498;   // the length of the tangents of a quarter of a circle
   std::mt19937 random(scene);
@@ -268,7 +283,16 @@ Answer rotated(unsigned scene)
       p = Point(std::cos(angle) * p.x() - std::sin(angle) * p.y(), std::sin(angle) * p.x() + std::cos(angle) * p.y());
     curves.push_back(SC::bezier_curve(points));
   }
-  return answer_of_diagram(curves);
+  return curves;
+}
+
+Answer rotated(unsigned scene) { return answer_of_diagram(rotated_chain(scene)); }
+
+Answer smoothed(unsigned scene)
+{
+  const Curves chain = rotated_chain(scene);
+  const auto curves = SC::with_smooth_joints<CGAL::Simple_cartesian<SC::Exact_rational>>(chain, 1e-9).curves;
+  return answer_of_diagram(curves, Curves(curves.begin(), curves.end()));
 }
 
 // C' = 3 (t - t0) (E + t F) with integers, E and F not parallel: the control points are exact.
@@ -513,7 +537,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -521,7 +545,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

@@ -246,6 +246,30 @@ TEST(SmoothJoints, WhatIsKept)
   EXPECT_THROW(SC::with_smooth_joints<Exact>(Curves{}, std::nan("")), SC::Invalid_input);
 }
 
+// Within a curve, where knots are as many as the degree: a straight piece keeps all of its control points.
+TEST(SmoothJoints, JointsWithinACurve)
+{
+  const auto smoothed = [](const std::vector<P>& points) { return SC::with_smooth_joints<Exact>(Curves{SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, points)}, 1e-5); };
+  const std::vector<P> points{P(0, 1), P(1, 1), P(2, 1e-6), P(3, 0), P(5, 0), P(6, 1), P(6, 2)};
+  const auto result = smoothed(points);
+  EXPECT_EQ(result.joints, 1U);
+  EXPECT_GT(result.displacement, 0);
+  EXPECT_LT(result.displacement, 1e-6);
+  const auto moved = result.curves[0].control_points();
+  EXPECT_TRUE(CGAL::collinear(moved[2], moved[3], moved[4]));
+  for (const std::size_t i : {0, 1, 3, 5, 6})
+    EXPECT_EQ(moved[i], Exact::Point_2(points[i].x(), points[i].y()));
+  const auto straight = smoothed({P(0, 0), P(1, 0), P(2, 0), P(3, 0), P(4, 1e-6), P(5, 1), P(5, 2)});
+  EXPECT_EQ(straight.joints, 1U);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_EQ(straight.curves[0].control_points()[i], Exact::Point_2(static_cast<int>(i), 0));
+  const auto both = smoothed({P(0, 0), P(1, 0), P(2, 0), P(3, 0), P(4, 0x1p-20), P(5, 0x2p-20), P(6, 0x3p-20)});
+  EXPECT_EQ(both.joints, 0U);
+  EXPECT_EQ(both.left, 1U);
+  const auto closed = smoothed({P(0, 0), P(1, 1e-6), P(2, 1), P(2, 2), P(0, 2), P(-1, 0), P(0, 0)});
+  EXPECT_EQ(closed.joints, 1U);
+}
+
 // Rotated, it has kinks of 10^-16 between sides and arcs; without these, its diagram has a centre line, four branches and an edge for each half of an arc.
 TEST(SmoothJoints, RotatedRoundedRectangle)
 {

@@ -9,12 +9,14 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
-#include <optional>
 #include <ranges>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,7 @@ namespace internal {
 template <class Kernel>
 concept RationalSplineKernel = SplineKernel<Kernel> && !std::is_floating_point_v<typename Kernel::FT>;
 
-// The control points of curves, of which those next to ends can be moved.
+// The control points of curves, of which those next to joints can be moved.
 template <RationalSplineKernel Kernel>
 class Joint_smoother
 {
@@ -35,15 +37,16 @@ class Joint_smoother
   using FT = typename Kernel::FT;
   using Curve = Bspline_curve_2<Kernel>;
 
-  // One of a curve. Of a curve of less than four control points, the tangents in both ends depend on the same points: nothing is moved.
-  struct End
+  // A joint as a control point, and the way to its next one.
+  struct Side
   {
-    std::size_t curve;
-    bool is_end;
+    std::size_t curve, joint;
+    bool is_forward;
   };
 
   std::vector<Curve> m_curves;
   std::vector<std::vector<Point>> m_points;
+  std::vector<std::vector<std::size_t>> m_joints;   // of each curve: indices of control points that the curve passes through, as all knots it depends on are one
   FT m_most_squared_sine;
 
 public:
@@ -52,16 +55,18 @@ public:
 
   Joint_smoother(std::vector<Curve> curves, double most_angle) : m_curves(std::move(curves)), m_most_squared_sine(converted_number<FT>(std::pow(std::sin(most_angle), 2)))
   {
-    for (const Curve& curve : m_curves)
-      m_points.push_back(curve.control_points());
-    std::map<std::pair<FT, FT>, std::vector<End>> ends_at;
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
-      for (const bool is_end : {false, true})
-        if (is_clamped(m_curves[i], is_end))
-          ends_at[{end_point({i, is_end}).x(), end_point({i, is_end}).y()}].push_back({i, is_end});
-    for (const auto& [point, ends] : ends_at)
-      if (ends.size() == 2)
-        smooth(ends[0], ends[1]);
+    std::map<std::pair<FT, FT>, std::vector<Side>> sides_at;
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+      m_points.push_back(m_curves[i].control_points());
+      m_joints.push_back(joints_of(m_curves[i]));
+      for (const std::size_t joint : m_joints[i])
+        for (const bool is_forward : {false, true})
+          if (is_forward ? joint + 1 < m_points[i].size() : joint > 0)
+            sides_at[{m_points[i][joint].x(), m_points[i][joint].y()}].push_back({i, joint, is_forward});
+    }
+    for (const auto& [point, sides] : sides_at)
+      if (sides.size() == 2)
+        smooth(sides[0], sides[1]);
   }
 
   std::vector<Curve> curves() const
@@ -73,38 +78,56 @@ public:
   }
 
 private:
-  static bool is_clamped(const Curve& curve, bool is_end)
+  static std::vector<std::size_t> joints_of(const Curve& curve)
   {
     const std::vector<FT> knots = curve.knots();
-    const auto n = static_cast<std::ptrdiff_t>(curve.degree());
-    const auto is_one = [](auto first, auto last) { return std::adjacent_find(first, last, std::not_equal_to<>()) == last; };
-    return is_end ? is_one(knots.end() - n, knots.end()) : is_one(knots.begin(), knots.begin() + n);
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const auto first = knots.begin() + static_cast<std::ptrdiff_t>(i + 1), last = first + static_cast<std::ptrdiff_t>(curve.degree());
+      if (std::adjacent_find(first, last, std::not_equal_to<>()) == last)
+        result.push_back(i);
+    }
+    return result;
   }
 
-  const Point& end_point(const End& e) const { return e.is_end ? m_points[e.curve].back() : m_points[e.curve].front(); }
-  Point& next_point(const End& e) { return e.is_end ? m_points[e.curve][m_points[e.curve].size() - 2] : m_points[e.curve][1]; }
-  bool is_fixed(const End& e) const { return m_points[e.curve].size() < 4; }
+  const Point& joint(const Side& side) const { return m_points[side.curve][side.joint]; }
+  static std::size_t next(const Side& side) { return side.is_forward ? side.joint + 1 : side.joint - 1; }
+  const Point& next_point(const Side& side) const { return m_points[side.curve][next(side)]; }
 
-  void smooth(const End& a, const End& b)
+  // Whether the piece up to the next joint is straight, or the tangents at both of its ends depend on the same control points.
+  bool is_fixed(const Side& side) const
   {
-    const Point joint = end_point(a);
-    const Vector p = next_point(a) - joint, q = next_point(b) - joint;
+    const std::vector<Point>& points = m_points[side.curve];
+    const std::vector<std::size_t>& joints = m_joints[side.curve];
+    const auto here = std::find(joints.begin(), joints.end(), side.joint);
+    const std::size_t first = side.is_forward ? side.joint : here == joints.begin() ? 0 : *(here - 1);
+    const std::size_t last = !side.is_forward ? side.joint : here + 1 == joints.end() ? points.size() - 1 : *(here + 1);
+    const auto is_on_line = [&](const Point& p) { return CGAL::collinear(joint(side), next_point(side), p); };
+    return last - first < 3 || std::all_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last + 1), is_on_line);
+  }
+
+  void smooth(const Side& a, const Side& b)
+  {
+    const Point common = joint(a);
+    const Vector p = next_point(a) - common, q = next_point(b) - common;
     const FT turn = CGAL::determinant(p, q);
     if (!(p * q < 0) || turn == 0 || turn * turn > m_most_squared_sine * (p * p) * (q * q))
       return;
-    if (is_fixed(a) && is_fixed(b)) {
+    const std::array<bool, 2> are_fixed{is_fixed(a), is_fixed(b)};
+    if (are_fixed[0] && are_fixed[1]) {
       ++left;
       return;
     }
     ++joints;
-    const Vector direction = is_fixed(a) ? p : is_fixed(b) ? q : Vector(p - q);
-    for (const End& end : {a, b})
-      if (!is_fixed(end))
-        move_onto_line(next_point(end), joint, direction);
+    const Vector direction = are_fixed[0] ? p : are_fixed[1] ? q : Vector(p - q);
+    for (const bool second : {false, true})
+      if (!are_fixed[second])
+        move_onto_line(second ? b : a, common, direction);
   }
 
-  void move_onto_line(Point& point, const Point& on_line, const Vector& direction)
+  void move_onto_line(const Side& side, const Point& on_line, const Vector& direction)
   {
+    Point& point = m_points[side.curve][next(side)];
     const Point foot = on_line + direction * FT(((point - on_line) * direction) / (direction * direction));
     displacement = (std::max)(displacement, std::sqrt(CGAL::to_double(CGAL::squared_distance(point, foot))));
     point = foot;
@@ -122,15 +145,15 @@ struct Smooth_joints_2
 {
   std::vector<Bspline_curve_2<Kernel>> curves;   ///< in the order of those that were given
   std::size_t joints;                            ///< how many joints have been made smooth
-  std::size_t left;                              ///< how many have not, as the curves on both sides have less than four control points
+  std::size_t left;                              ///< how many have not, as both sides are straight or have less than four control points
   double displacement;                           ///< the greatest distance by which a control point was moved, rounded
 };
 
 /*!
-curves that are smooth where others are so but for rounding: the directions in which two curves leave a common end become exactly opposite. Control points next to ends are moved onto one line through the joint, nothing else changes. So what rounded coordinates made of a drawing that is smooth, as a rounded rectangle that is rotated, is taken back, if by a choice
-of the caller: diagrams, offsets and sums of the result have no corners there, and are proved sooner.
+curves that are smooth where others are so but for rounding: the directions in which two pieces leave a common point become exactly opposite. Control points next to joints are moved onto one line through the joint, nothing else changes. So what rounded coordinates made of a drawing that is smooth, as a rounded rectangle that is rotated, is taken back, if by a
+choice of the caller: diagrams, offsets and sums of the result have no corners there, and are proved sooner.
 
-Joints are points in which just two ends of curves are, with the same coordinates. On the side of a curve of less than four control points, as a segment, the line is its tangent; with four or more on both sides, it has the direction from one of the control points to the other one.
+Joints are points in which just two ends of curves are, with the same coordinates, and those within a curve at knots whose multiplicity is the degree. On a side that is straight up to the next joint, or has less than four control points, the line is its tangent; where both sides can be moved, it has the direction from one of the control points to the other one.
 
 \tparam Kernel a kernel of rational numbers, which hold the moved points exactly, as `Simple_cartesian<Exact_rational>`; of `curves`, any.
 \param curves a range of `Bspline_curve_2`.
