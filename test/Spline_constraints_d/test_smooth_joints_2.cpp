@@ -223,6 +223,40 @@ SC::internal::Sign_pattern pattern(const SC::Power_polynomial& p, double a, doub
   return SC::internal::Blown_up_polynomial::without_common_powers(p).pattern({0, a}, {0, b});
 }
 
+// Small ranges on both sides of a joint in which the curvature jumps, the one at the square of the distance of the other: the bounds hold those of points, and tell the second derivative equally well at all distances.
+TEST(SmoothJoints, CurvaturesBesideAJoint)
+{
+  namespace internal = SC::internal;
+  const auto graph = internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(internal::site_curves(Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}), std::vector<P>());
+  const internal::Disk_curvature curvature(*graph);
+  std::size_t compared = 0;
+  std::mt19937 random(1);
+  for (std::size_t f = 0; f < graph->fronts().size(); ++f) {
+    const internal::Front& front = graph->fronts()[f];
+    if (front.is_fan)
+      continue;
+    const auto& next = graph->continuation({front.object, true});
+    if (!next || next->end.is_end)
+      continue;
+    for (const double b : {0x1p-6, 0x1p-12, 0x1p-18}) {
+      const auto number = [&](double begin, double width) { return std::uniform_real_distribution<double>(begin, begin + width)(random); };
+      const double a = b * b, width_u = a / 64, width_v = std::ldexp(b, -20);
+      const auto bounds = [&](const internal::Range& u, const internal::Range& v) { return curvature(curvature.part(f, u), next->end.arc, v, graph->arcs()[next->end.arc].jet(v)); };
+      const CGAL::Protect_FPU_rounding<true> guard;
+      const auto k = bounds({1 - a, 1 - a + width_u}, {b, b + width_v});
+      EXPECT_TRUE(std::isfinite(k.du.sup() - k.du.inf()));
+      EXPECT_LT(k.dvv.sup() - k.dvv.inf(), 0.1 * std::abs(k.dvv.sup()));
+      for (int i = 0; i < 100; ++i, ++compared) {
+        const double u = number(1 - a, width_u), v = number(b, width_v);
+        const auto at = bounds({u, u}, {v, v});
+        const auto meets = [](const auto& x, const auto& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
+        EXPECT_TRUE(meets(at.value, k.value) && meets(at.du, k.du) && meets(at.dv, k.dv) && meets(at.dvv, k.dvv) && meets(at.duv, k.duv)) << f << " " << u << " " << v;
+      }
+    }
+  }
+  EXPECT_GT(compared, 500U);
+}
+
 TEST(BlownUpPolynomials, SignsNearAZero)
 {
   using SC::internal::Sign_pattern;

@@ -71,12 +71,20 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
   return result;
 }
 
+// Derivatives of a front beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u = speed M; p = <M, Y - X>, and p_v / m.
+template <Enclosing_number Interval>
+struct Basic_front_turn
+{
+  Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(), p = any_number<Interval>(), pv = any_number<Interval>();
+};
+
 // f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
 template <Enclosing_number Interval>
 struct Basic_curvature_quotient
 {
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
+  using Front_turn = Basic_front_turn<Interval>;
 
   Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
   Interval factor{1};   // m
@@ -103,6 +111,33 @@ struct Basic_curvature_quotient
     k.dv = (fv - k.value * qv) / q;
     k.dvv = (fvv - k.value * qvv - Interval(2) * factor * k.dv * qv) / q;
     k.duv = (fuv - k.du * qv - k.dv * qu - k.value * quv) / q;
+    return k;
+  }
+
+  /*
+  As above, within the mean value forms around the middle of the ranges, and with
+
+    k_u = growth k + 2 (turn + speed k) p / q.
+
+  Where disks are nearly those of the curvature of the front, as next to a smooth joint, turn + speed k is small, which differences of f_u and k q_u do not show.
+  */
+  Curvature_bounds bounds_beside_front(const Front_turn& front, const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v) const
+  {
+    Curvature_bounds k = bounds();
+    if (!(q.inf() > 0))
+      return k;
+    const Interval two(2), s = front.p / q, sv = (front.pv - s * qv) / q;
+    const auto tighten_first = [&] {
+      k.du = common_part(k.du, front.growth * k.value + two * (front.turn + front.speed * k.value) * s);
+      k.value = common_part(k.value, middle.value + k.du * shift_u + factor * k.dv * shift_v);
+    };
+    const auto tighten_second = [&] { k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q); };
+    tighten_first();
+    tighten_first();   // by what is known of the value now
+    tighten_second();
+    k.duv = common_part(k.duv, front.growth * k.dv + two * (front.speed * k.dv * s + (front.turn + front.speed * k.value) * sv));
+    k.dv = common_part(k.dv, middle.dv + k.duv * shift_u + k.dvv * shift_v);
+    tighten_second();
     return k;
   }
 

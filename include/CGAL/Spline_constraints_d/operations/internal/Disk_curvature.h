@@ -51,6 +51,7 @@ class Basic_disk_curvature
   using Circle_disks = Basic_circle_disks<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
+  using Front_turn = Basic_front_turn<Interval>;
   using Fan_disks = Basic_fan_disks<Interval>;
   using Scaled_sites = Basic_scaled_sites<Interval>;
 
@@ -94,9 +95,12 @@ public:
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
-    const Curvature_quotient k = is_small ? quotient(part, arc, range, jet).around(quotient(middle, arc, at_middle, jet_in_middle), shift_u, shift_v)
-                                          : quotient(part.jet, arc, range, jet, jet[0] - part.jet.point).around(quotient(middle.jet, arc, at_middle, jet_in_middle, jet_in_middle[0] - middle.jet.point), shift_u, shift_v);
-    return is_arc_scaled(arc) ? of_scaled_disk(k, part) : with_what_is_common(k.bounds(), part, arc, range, jet, middle, jet_in_middle);
+    const Curvature_quotient in_middle = is_small ? quotient(middle, arc, at_middle, jet_in_middle) : quotient(middle.jet, arc, at_middle, jet_in_middle, jet_in_middle[0] - middle.jet.point);
+    const Curvature_quotient k = (is_small ? quotient(part, arc, range, jet) : quotient(part.jet, arc, range, jet, jet[0] - part.jet.point)).around(in_middle, shift_u, shift_v);
+    if (is_arc_scaled(arc))
+      return of_scaled_disk(k, part);
+    const Curvature_bounds bounds = is_small && is_joined_smoothly(part.front, arc) ? k.bounds_beside_front(front_turn(part, arc, range, jet), in_middle.bounds(), shift_u, shift_v) : k.bounds();
+    return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
@@ -310,6 +314,21 @@ private:
     const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
     const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
+  }
+
+  bool is_joined_smoothly(std::size_t front, std::size_t arc) const
+  {
+    const Front& f = m_graph.fronts()[front];
+    const auto goes_on_there = [&](bool is_end) { return m_graph.continuation({f.object, is_end}) && m_graph.continuation({f.object, is_end})->end.arc == arc; };
+    return !f.is_fan && (goes_on_there(false) || goes_on_there(true));
+  }
+
+  Front_turn front_turn(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Front_jet& x = part.jet;
+    const Interval_pair along = turned_left(x.normal), tangent = m_graph.arcs()[arc].has_singular_end() ? m_graph.arcs()[arc].tangent_jet(range)[0] : jet[1];
+    const Interval square = squared_norm(x.normal);
+    return square.inf() > 0 ? Front_turn{dot(x.normal_derivative, x.normal) / square, dot(x.normal_derivative, along) / square, dot(x.point_derivative, along) / square, dot(along, way(part, arc, range, jet)), dot(along, tangent)} : Front_turn();
   }
 
   // For a point at the end of a way d, which moves with the derivative m D.
