@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -124,7 +125,7 @@ struct Basic_curvature_quotient
   Curvature_bounds bounds_beside_front(const Front_turn& front, const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v) const
   {
     Curvature_bounds k = bounds();
-    if (!(q.inf() > 0))
+    if (!(q.inf() > 0 && std::isfinite(front.turn.sup() - front.turn.inf())))
       return k;
     const Interval two(2), s = front.p / q, sv = (front.pv - s * qv) / q;
     const auto tighten_first = [&] {
