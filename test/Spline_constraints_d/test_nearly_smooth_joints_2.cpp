@@ -246,6 +246,23 @@ TEST(SmoothJoints, WhatIsKept)
   EXPECT_THROW(SC::with_smooth_joints<Exact>(Curves{}, std::nan("")), SC::Invalid_input);
 }
 
+// A cubic with two control points in an end has the third one for the directions at both ends: it is kept, what is smooth there stays so, and the kink at its other end is taken from the next cubic.
+TEST(SmoothJoints, TwoControlPointsInAnEnd)
+{
+  const auto line = bezier({P(0, 3), P(0, 0)}), drop = bezier({P(0, 0), P(0, 0), P(0, -1), P(1, -2)}), next = bezier({P(1, -2), P(2, -3 + 1e-6), P(3, -3), P(4, -3)});
+  for (const bool reversed : {false, true}) {
+    const auto result = SC::with_smooth_joints<Exact>(Curves{line, reversed ? drop.reversed() : drop, next}, 1e-5);
+    EXPECT_EQ(result.joints, 1U);
+    EXPECT_EQ(result.left, 0U);
+    EXPECT_EQ(result.curves[1].control_points(), SC::Bspline_curve_2<Exact>(reversed ? drop.reversed() : drop).control_points());
+    EXPECT_TRUE(CGAL::collinear(Exact::Point_2(0, -1), Exact::Point_2(1, -2), result.curves[2].control_points()[1]));
+  }
+  const auto kink = SC::with_smooth_joints<Exact>(Curves{bezier({P(1e-6, 3), P(0, 0)}), drop}, 1e-5);
+  EXPECT_EQ(kink.joints, 0U);
+  EXPECT_EQ(kink.left, 1U);
+  EXPECT_EQ(kink.displacement, 0);
+}
+
 // Within a curve, where knots are as many as the degree: a straight piece keeps all of its control points.
 TEST(SmoothJoints, JointsWithinACurve)
 {

@@ -37,7 +37,7 @@ class Joint_smoother
   using FT = typename Kernel::FT;
   using Curve = Bspline_curve_2<Kernel>;
 
-  // A joint as a control point, and the way to its next one.
+  // A joint as a control point, and the way from there.
   struct Side
   {
     std::size_t curve, joint;
@@ -91,19 +91,38 @@ private:
   }
 
   const Point& joint(const Side& side) const { return m_points[side.curve][side.joint]; }
-  static std::size_t next(const Side& side) { return side.is_forward ? side.joint + 1 : side.joint - 1; }
   const Point& next_point(const Side& side) const { return m_points[side.curve][next(side)]; }
 
-  // Whether the piece up to the next joint is straight, or the tangents at both of its ends depend on the same control points.
-  bool is_fixed(const Side& side) const
+  // The other end of the piece.
+  Side opposite(const Side& side) const
   {
-    const std::vector<Point>& points = m_points[side.curve];
     const std::vector<std::size_t>& joints = m_joints[side.curve];
     const auto here = std::find(joints.begin(), joints.end(), side.joint);
-    const std::size_t first = side.is_forward ? side.joint : here == joints.begin() ? 0 : *(here - 1);
-    const std::size_t last = !side.is_forward ? side.joint : here + 1 == joints.end() ? points.size() - 1 : *(here + 1);
+    if (side.is_forward)
+      return {side.curve, here + 1 == joints.end() ? m_points[side.curve].size() - 1 : *(here + 1), false};
+    return {side.curve, here == joints.begin() ? 0 : *(here - 1), true};
+  }
+
+  // The first control point of the piece that is not the joint: the one that the direction there depends on.
+  std::size_t next(const Side& side) const
+  {
+    const std::size_t last = opposite(side).joint;
+    std::size_t i = side.joint;
+    do
+      i = side.is_forward ? i + 1 : i - 1;
+    while (i != last && m_points[side.curve][i] == joint(side));
+    return i;
+  }
+
+  // Whether the piece up to the next joint is straight, or the directions at both of its ends depend on the same control points.
+  bool is_fixed(const Side& side) const
+  {
+    const Side other = opposite(side);
+    const auto [first, last] = std::minmax(side.joint, other.joint);
     const auto is_on_line = [&](const Point& p) { return CGAL::collinear(joint(side), next_point(side), p); };
-    return last - first < 3 || std::all_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.begin() + static_cast<std::ptrdiff_t>(last + 1), is_on_line);
+    const auto begin = m_points[side.curve].begin();
+    const bool are_separate = side.is_forward ? next(side) < next(other) : next(other) < next(side);
+    return !are_separate || std::all_of(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last + 1), is_on_line);
   }
 
   void smooth(const Side& a, const Side& b)
@@ -145,7 +164,7 @@ struct Smooth_joints_2
 {
   std::vector<Bspline_curve_2<Kernel>> curves;   ///< in the order of those that were given
   std::size_t joints;                            ///< how many joints have been made smooth
-  std::size_t left;                              ///< how many have not, as both sides are straight or have less than four control points
+  std::size_t left;                              ///< how many have not, as nothing can be moved on both sides
   double displacement;                           ///< the greatest distance by which a control point was moved, rounded
 };
 
@@ -153,7 +172,7 @@ struct Smooth_joints_2
 curves that are smooth where others are so but for rounding: the directions in which two pieces leave a common point become exactly opposite. Control points next to joints are moved onto one line through the joint, nothing else changes. So what rounded coordinates made of a drawing that is smooth, as a rounded rectangle that is rotated, is taken back, if by a
 choice of the caller: diagrams, offsets and sums of the result have no corners there, and are proved sooner.
 
-Joints are points in which just two ends of curves are, with the same coordinates, and those within a curve at knots whose multiplicity is the degree. On a side that is straight up to the next joint, or has less than four control points, the line is its tangent; where both sides can be moved, it has the direction from one of the control points to the other one.
+Joints are points in which just two ends of curves are, with the same coordinates, and those within a curve at knots whose multiplicity is the degree. On a side that is straight up to the next joint, or has no control point for each end that the direction there depends on alone, as one with three control points, or a cubic with two of them in an end, the line is its tangent; where both sides can be moved, it has the direction from one of the control points to the other one.
 
 \tparam Kernel a kernel of rational numbers, which hold the moved points exactly, as `Simple_cartesian<Exact_rational>`; of `curves`, any.
 \param curves a range of `Bspline_curve_2`.

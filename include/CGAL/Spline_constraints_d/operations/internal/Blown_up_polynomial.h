@@ -126,6 +126,9 @@ public:
   // The polynomial divided by the power d of a or b.
   Interval operator()(const Chart_range& range) const { return at(range.radius, range.ratio, range.is_far).value; }
 
+  // Its derivative by the ratio.
+  Interval by_ratio(const Chart_range& range) const { return at(range.radius, range.ratio, range.is_far).by_ratio; }
+
   // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of factors at their begins do not count.
   template <class Is_irrelevant>
   Path_signs signs(const Range& a, const Range& b, const Is_irrelevant& is_irrelevant) const

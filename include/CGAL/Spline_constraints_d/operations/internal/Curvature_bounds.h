@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Spline_constraints {
@@ -128,17 +129,23 @@ struct Basic_curvature_quotient
     if (!(q.inf() > 0 && std::isfinite(front.turn.sup() - front.turn.inf())))
       return k;
     const Interval two(2), s = front.p / q, sv = (front.pv - s * qv) / q;
-    const auto tighten_first = [&] {
+    const auto tighten = [&] {
       k.du = common_part(k.du, front.growth * k.value + two * (front.turn + front.speed * k.value) * s);
       k.value = common_part(k.value, middle.value + k.du * shift_u + factor * k.dv * shift_v);
+      k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q);
+      k.duv = common_part(k.duv, front.growth * k.dv + two * (front.speed * k.dv * s + (front.turn + front.speed * k.value) * sv));
+      k.dv = common_part(k.dv, middle.dv + k.duv * shift_u + k.dvv * shift_v);
     };
-    const auto tighten_second = [&] { k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q); };
-    tighten_first();
-    tighten_first();   // by what is known of the value now
-    tighten_second();
-    k.duv = common_part(k.duv, front.growth * k.dv + two * (front.speed * k.dv * s + (front.turn + front.speed * k.value) * sv));
-    k.dv = common_part(k.dv, middle.dv + k.duv * shift_u + k.dvv * shift_v);
-    tighten_second();
+    // Each bound is as good as the others: f_v - k q_v has terms that cancel, of which the mean value form shows the difference if f_vv - k q_vv is known.
+    constexpr double most_share = 0.5;   // of the width that is left
+    double width = std::numeric_limits<double>::infinity();
+    const auto is_better = [&] {
+      const double last = std::exchange(width, k.dvv.sup() - k.dvv.inf());
+      return width < most_share * last;
+    };
+    do
+      tighten();
+    while (is_better());
     return k;
   }
 

@@ -230,12 +230,22 @@ private:
     for (int i = 0; i < pieces; ++i) {
       const double begin = range.ratio.inf(), step = (range.ratio.sup() - begin) / pieces;
       const Blown_up_polynomial::Chart_range piece{range.radius, Interval(begin + i * step, i + 1 == pieces ? range.ratio.sup() : begin + (i + 1) * step), range.is_far};
-      const Interval k = m_numerator(piece) / m_denominator(piece);
+      const Interval k = quotient_over(piece);
       result = result ? hull(*result, k) : k;
     }
     for (std::size_t i = m_denominator.degree(); i < m_numerator.degree(); ++i)
       *result *= range.radius;
     return *result;
+  }
+
+  // Of numerator and denominator, also by a mean value form: where the curvatures of two arcs in their joint differ by little, so do those of all disks there.
+  Interval quotient_over(const Blown_up_polynomial::Chart_range& range) const
+  {
+    const Interval denominator = m_denominator(range), k = m_numerator(range) / denominator, middle((range.ratio.inf() + range.ratio.sup()) / 2);
+    if (!std::isfinite(k.sup() - k.inf()))
+      return k;
+    const Blown_up_polynomial::Chart_range center{range.radius, middle, range.is_far};
+    return common_part(k, m_numerator(center) / m_denominator(center) + (m_numerator.by_ratio(range) - k * m_denominator.by_ratio(range)) / denominator * (range.ratio - middle));
   }
 
   Range scaled(const Range& b) const { return root({b.begin / m_scale, b.end / m_scale}, m_arc_power); }
