@@ -123,6 +123,22 @@ TEST(visible_parts_2, ties)
   EXPECT_EQ(count_edges(crossing, Kind::OPEN), 1u);
 }
 
+// What is there twice, or is a part of what is there, changes nothing, wherever rays touch it.
+TEST(visible_parts_2, copies)
+{
+  const Point p(1.3, 1.05);
+  const auto wave = SC::bezier_curve(std::vector<Point>{{0, 0}, {1, 2}, {2, -2}, {3, 0}});
+  const auto behind = segment({-1, -2}, {4, -2}), beside = circle(3, 2, 0.5);
+  const auto one = SC::visible_part(p, Curves{wave, behind, beside});
+  expect_cycle(one, p);
+  EXPECT_GE(count_edges(one, Kind::ARC), 2u);
+  for (const Curves& curves : {Curves{wave, wave, behind, beside}, Curves{wave.reversed(), beside, wave, behind, beside.reversed()}, Curves{wave.restricted(0.25, 0.75), wave, behind, beside}}) {
+    const auto same = SC::visible_part(p, curves);
+    expect_cycle(same, p);
+    EXPECT_EQ(same.edges().size(), one.edges().size());
+  }
+}
+
 // The same polygon as CGAL finds, exactly.
 TEST(visible_parts_2, polygons)
 {

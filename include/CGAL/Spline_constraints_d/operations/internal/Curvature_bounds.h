@@ -78,6 +78,16 @@ template <Enclosing_number Interval>
 struct Basic_front_turn
 {
   Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(), p = any_number<Interval>(), pv = any_number<Interval>();
+
+  // For a point at the end of a way, which moves with the derivative m times a tangent.
+  static Basic_front_turn beside(const Basic_front_jet<Interval>& x, const std::array<Interval, 2>& way, const std::array<Interval, 2>& tangent)
+  {
+    const Interval square = squared_norm(x.normal);
+    if (!(square.inf() > 0))
+      return {};
+    const std::array<Interval, 2> along = turned_left(x.normal);
+    return {dot(x.normal_derivative, x.normal) / square, dot(x.normal_derivative, along) / square, dot(x.point_derivative, along) / square, dot(along, way), dot(along, tangent)};
+  }
 };
 
 // f / q and its derivatives; those by v are divided by m, and the second ones are derivatives of these quotients.
@@ -121,7 +131,7 @@ struct Basic_curvature_quotient
 
     k_u = growth k + 2 (turn + speed k) p / q.
 
-  Where disks are nearly those of the curvature of the front, as next to a smooth joint, turn + speed k is small, which differences of f_u and k q_u do not show.
+  Where disks are nearly those of the curvature of the front, as next to a smooth joint and on its own arc, turn + speed k is small, which differences of f_u and k q_u do not show.
   */
   Curvature_bounds bounds_beside_front(const Front_turn& front, const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v) const
   {

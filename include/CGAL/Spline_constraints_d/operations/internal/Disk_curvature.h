@@ -95,12 +95,16 @@ public:
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
-    const Curvature_quotient in_middle = is_small ? quotient(middle, arc, at_middle, jet_in_middle) : quotient(middle.jet, arc, at_middle, jet_in_middle, jet_in_middle[0] - middle.jet.point);
-    const Curvature_quotient k = (is_small ? quotient(part, arc, range, jet) : quotient(part.jet, arc, range, jet, jet[0] - part.jet.point)).around(in_middle, shift_u, shift_v);
+    const auto way_of = [&](const Front_part& x, const Range& y, const Curve_jet& jet_of_y) { return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point; };
+    const Interval_pair whole_way = way_of(part, range, jet);
+    const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)), k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
     if (is_arc_scaled(arc))
       return of_scaled_disk(k, part);
-    const Curvature_bounds bounds = is_small && is_joined_smoothly(part.front, arc) ? k.bounds_beside_front(front_turn(part, arc, range, jet), in_middle.bounds(), shift_u, shift_v) : k.bounds();
-    return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
+    if (!is_small || !is_beside_front(part.front, arc))
+      return with_what_is_common(k.bounds(), part, arc, range, jet, middle, jet_in_middle);
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    const Front_turn turn = Front_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]);
+    return with_what_is_common(k.bounds_beside_front(turn, in_middle.bounds(), shift_u, shift_v), part, arc, range, jet, middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
@@ -316,19 +320,15 @@ private:
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
-  bool is_joined_smoothly(std::size_t front, std::size_t arc) const
+  // Whether disks that touch a front and an arc may be nearly those of the curvature of the front: on its own arc, and on one that goes on smoothly.
+  bool is_beside_front(std::size_t front, std::size_t arc) const
   {
     const Front& f = m_graph.fronts()[front];
-    const auto goes_on_there = [&](bool is_end) { return m_graph.continuation({f.object, is_end}) && m_graph.continuation({f.object, is_end})->end.arc == arc; };
-    return !f.is_fan && (goes_on_there(false) || goes_on_there(true));
-  }
-
-  Front_turn front_turn(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
-  {
-    const Front_jet& x = part.jet;
-    const Interval_pair along = turned_left(x.normal), tangent = m_graph.arcs()[arc].has_singular_end() ? m_graph.arcs()[arc].tangent_jet(range)[0] : jet[1];
-    const Interval square = squared_norm(x.normal);
-    return square.inf() > 0 ? Front_turn{dot(x.normal_derivative, x.normal) / square, dot(x.normal_derivative, along) / square, dot(x.point_derivative, along) / square, dot(along, way(part, arc, range, jet)), dot(along, tangent)} : Front_turn();
+    const auto goes_on = [&](bool is_end) {
+      const auto& next = m_graph.continuation({f.object, is_end});
+      return next && next->end.arc == arc;
+    };
+    return !f.is_fan && (f.object == arc || goes_on(false) || goes_on(true));
   }
 
   // For a point at the end of a way d, which moves with the derivative m D.

@@ -25,6 +25,7 @@ Sites that disks of one radius r on a front may touch, but only opposite to the 
 
 A front that lies behind the tangent in one of its ends, X, has all its disks in the half-plane up to the parallel at the distance 2 r, as <N, O - X> <= r |N|; they reach that line only where the front is on the tangent and has its normal. All disks of a fan are in the disk of the radius 2 r around its vertex.
 A site beyond the border, with all Bernstein coefficients of its distance, is touched at most where that is zero: in one of its ends, or all of it; or, of a segment beside a fan, in one point. Nor do disks of a segment reach what is outside of the last one, and behind its center.
+Where an arc ends in a crossing that is not known exactly, an arc that is a little longer takes its place; what would touch in such an end is not decided.
 
 Disks there count as covered: the offset is the limit of those at greater distances. On both sides of a range of parallel walls, offsets are the same and bound nothing; where they touch in one point, each ends in it.
 */
@@ -38,6 +39,8 @@ class Opposite_sites
   };
 
   using Points = std::vector<Exact_pair>;
+  using Coordinates = std::array<Bernstein_tensor<Exact_rational>, 3>;
+  using Coefficients = std::array<std::vector<Exact_rational>, 3>;
 
   static constexpr std::array<bool, 2> both_ends{false, true};
 
@@ -113,13 +116,29 @@ public:
 private:
   const Site_arc_2& own_arc() const { return m_graph.arcs()[m_front.object]; }
   bool is_segment() const { return !m_front.is_fan && own_arc().is_segment(); }
+  bool is_own_end_exact(bool end) const { return m_graph.is_exact({m_front.object, end}); }
+  Exact_pair own_end(bool end) const { return own_arc().at(Exact_rational(end ? 1 : 0)); }   // of the piece
+
+  // How much farther than to an end of its piece an arc may go.
+  Exact_rational error(const Arc_end& end) const { return m_graph.is_exact(end) ? Exact_rational(0) : m_graph.arcs()[end.arc].error(); }
+
+  // Of an arc, or one that it is a part of.
+  Coordinates coordinates(std::size_t arc) const
+  {
+    Coordinates result = m_graph.arcs()[arc].piece().coordinates;
+    if (!m_graph.are_ends_exact(arc))
+      for (Bernstein_tensor<Exact_rational>& tensor : result)
+        tensor = tensor.restricted(0, Exact_rational(-error({arc, false})), Exact_rational(1 + error({arc, true})));
+    return result;
+  }
 
   // The Bernstein coefficients of the coordinates and the weight, which is positive; none where that is not certain.
-  static std::optional<std::array<std::vector<Exact_rational>, 3>> coefficients(const Site_arc_2& arc)
+  std::optional<Coefficients> coefficients(std::size_t arc) const
   {
-    std::array<std::vector<Exact_rational>, 3> result;
+    const Coordinates all = coordinates(arc);
+    Coefficients result;
     for (std::size_t k = 0; k < 3; ++k)
-      result[k] = arc.piece().coordinates[k].elevated({arc.degree()}).coefficients();
+      result[k] = all[k].elevated({m_graph.arcs()[arc].degree()}).coefficients();
     return std::all_of(result[2].begin(), result[2].end(), [](const Exact_rational& w) { return sign_of(w) > 0; }) ? std::optional(result) : std::nullopt;
   }
 
@@ -127,12 +146,12 @@ private:
 
   bool is_behind_tangent(bool end) const
   {
-    if (is_segment() || !m_graph.are_ends_exact(m_front.object))
-      return is_segment() && m_graph.are_ends_exact(m_front.object);
-    const auto c = coefficients(own_arc());
+    if (is_segment() || !is_own_end_exact(end))
+      return is_segment();
+    const auto c = coefficients(m_front.object);
     if (!c)
       return false;
-    const Exact_pair& p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
     std::vector<int> sides;
     for (std::size_t i = 0; i < (*c)[2].size(); ++i)
       sides.push_back(sign_of(exact_dot(n, Exact_pair{Exact_rational((*c)[0][i] - p[0] * (*c)[2][i]), Exact_rational((*c)[1][i] - p[1] * (*c)[2][i])})));
@@ -140,15 +159,15 @@ private:
   }
 
   // The ends in which an arc touches a border, if all Bernstein coefficients of its distance from that have signs that are not negative. Nothing if it is not beyond.
-  static std::optional<Points> touching_ends(const Site_arc_2& arc, const std::vector<int>& sides)
+  std::optional<Points> touching_ends(std::size_t arc, const std::vector<int>& sides) const
   {
-    if (*std::min_element(sides.begin(), sides.end()) < 0)
+    const auto touches = [&](bool end) { return (end ? sides.back() : sides.front()) == 0; };
+    if (*std::min_element(sides.begin(), sides.end()) < 0 || std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return touches(end) && !m_graph.is_exact({arc, end}); }))
       return std::nullopt;
     Points result;
-    if (sides.front() == 0)
-      result.push_back(arc.at(0));
-    if (sides.back() == 0)
-      result.push_back(arc.at(1));
+    for (const bool end : both_ends)
+      if (touches(end))
+        result.push_back(m_graph.arcs()[arc].at(Exact_rational(end ? 1 : 0)));
     return result;
   }
 
@@ -157,12 +176,12 @@ private:
   // On which side of the parallel at the distance 2 r of the tangent in an end a homogeneous point is.
   int side_of_parallel(bool end, const Exact_rational& x, const Exact_rational& y, const Exact_rational& w) const
   {
-    const Exact_pair& p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
     const Exact_rational height = exact_dot(n, Exact_pair{Exact_rational(x - p[0] * w), Exact_rational(y - p[1] * w)});
     return sign_of(height) <= 0 ? -1 : sign_of(Exact_rational(height * height - m_square * exact_dot(n, n) * w * w));
   }
 
-  std::vector<int> sides_of_parallel(bool end, const std::array<std::vector<Exact_rational>, 3>& c) const
+  std::vector<int> sides_of_parallel(bool end, const Coefficients& c) const
   {
     std::vector<int> result;
     for (std::size_t i = 0; i < c[2].size(); ++i)
@@ -171,9 +190,9 @@ private:
   }
 
   // On which side of a circle an arc has the Bernstein coefficients of its squared distance from the center.
-  static std::vector<int> sides_of_circle(const Site_arc_2& arc, const Exact_pair& p, const Exact_rational& square)
+  std::vector<int> sides_of_circle(std::size_t arc, const Exact_pair& p, const Exact_rational& square) const
   {
-    const auto& [x, y, w] = arc.piece().coordinates;
+    const auto [x, y, w] = coordinates(arc);
     const auto dx = x - w * p[0], dy = y - w * p[1];
     std::vector<int> result;
     for (const Exact_rational& c : (dx * dx + dy * dy - w * w * square).coefficients())
@@ -181,28 +200,29 @@ private:
     return result;
   }
 
-  bool add_arc(std::size_t index)
+  bool add_arc(std::size_t arc)
   {
-    const Site_arc_2& arc = m_graph.arcs()[index];
-    if (!m_graph.are_ends_exact(index))
-      return false;
     if (m_front.is_fan)
       return add_arc_beside_fan(arc);
     const auto c = coefficients(arc);
     const auto is_beyond = [&](bool end) {
       const std::vector<int> sides = sides_of_parallel(end, *c);
-      return add_ties(touching_ends(arc, sides), end, is_on_border(sides));
+      if (is_on_border(sides))   // what it does not touch next to a crossing that is not known exactly, the next arc of its curve does
+        return add_tie(m_graph.arcs()[arc].at(0), m_graph.arcs()[arc].at(1), end);
+      return add_ties(touching_ends(arc, sides), end);
     };
     return c && (std::any_of(m_ends.begin(), m_ends.end(), is_beyond) || (is_segment() && is_behind_last_disk(arc, *c)));
   }
 
   // Whether an arc is outside of the disk at an end of a straight front, and behind its center: then it is outside of all other ones.
-  bool is_behind_last_disk(const Site_arc_2& arc, const std::array<std::vector<Exact_rational>, 3>& c)
+  bool is_behind_last_disk(std::size_t arc, const Coefficients& c)
   {
     const Exact_pair n = m_graph.exact_normal(m_front, 0);
     const auto ratio = rational_square_root(Exact_rational(m_square / (4 * exact_dot(n, n))));
     return ratio && std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
-      const Exact_pair &p = m_graph.exact_point(m_front, end), outward = exact_difference(p, m_graph.exact_point(m_front, !end)), center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
+      if (!is_own_end_exact(end))
+        return false;
+      const Exact_pair p = own_end(end), outward = exact_difference(p, own_end(!end)), center{Exact_rational(p[0] + *ratio * n[0]), Exact_rational(p[1] + *ratio * n[1])};
       for (std::size_t i = 0; i < c[2].size(); ++i)
         if (sign_of(exact_dot(outward, Exact_pair{Exact_rational(c[0][i] - center[0] * c[2][i]), Exact_rational(c[1][i] - center[1] * c[2][i])})) < 0)
           return false;
@@ -213,20 +233,30 @@ private:
     });
   }
 
-  bool add_arc_beside_fan(const Site_arc_2& arc)
+  bool add_arc_beside_fan(std::size_t index)
   {
+    const Site_arc_2& arc = m_graph.arcs()[index];
     const Exact_pair& p = m_graph.vertices()[m_front.object].exact_point;
-    const std::vector<int> sides = sides_of_circle(arc, p, m_square);
+    const std::vector<int> sides = sides_of_circle(index, p, m_square);
     if (!arc.is_straight())
-      return !is_on_border(sides) && add_ties(touching_ends(arc, sides));
+      return !is_on_border(sides) && add_ties(touching_ends(index, sides));
     const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a), to_p = exact_difference(p, a);
     const Exact_rational cross = exact_cross(d, to_p), dd = exact_dot(d, d), t = exact_dot(d, to_p) / dd;
     const int side = sign_of(Exact_rational(cross * cross - m_square * dd));
     if (side < 0)
-      return add_ties(touching_ends(arc, sides));
-    if (side == 0 && t >= 0 && t <= 1)
-      add_ties(Points{{Exact_rational(a[0] + t * d[0]), Exact_rational(a[1] + t * d[1])}});
-    return true;
+      return add_ties(touching_ends(index, sides));
+    if (side > 0 || (t < 0 && m_graph.is_exact({index, false})) || (t > 1 && m_graph.is_exact({index, true})))
+      return true;
+    return is_certain(index, t, t) && add_ties(t >= 0 && t <= 1 ? Points{{Exact_rational(a[0] + t * d[0]), Exact_rational(a[1] + t * d[1])}} : Points());
+  }
+
+  // Whether an end of an arc that is not known exactly is not between the ends of a range that should be on it, or there is nothing but that range.
+  bool is_certain(std::size_t arc, const Exact_rational& first, const Exact_rational& last) const
+  {
+    return std::all_of(both_ends.begin(), both_ends.end(), [&](bool end) {
+      const Exact_rational e = error({arc, end}), t(end ? 1 : 0);
+      return m_graph.is_exact({arc, end}) || last < t - e || first > t + e || (first <= t - e && last >= t + e);
+    });
   }
 
   bool add_vertex(std::size_t vertex)
@@ -242,47 +272,46 @@ private:
     return std::any_of(m_ends.begin(), m_ends.end(), [&](bool end) { return add_ties(points(side_of_parallel(end, q[0], q[1], 1)), end); });
   }
 
-  // Disks are touched in some points, or, on a parallel, in all between two of them. Returns whether they are known.
-  bool add_ties(const std::optional<Points>& points, bool end = false, bool is_between = false)
+  // Disks are touched in some points. Returns whether they are known.
+  bool add_ties(const std::optional<Points>& points, bool end = false)
   {
-    if (!points)
-      return false;
-    if (is_between)
-      add_tie(points->front(), points->back(), end);
-    else
-      for (const Exact_pair& y : *points)
-        m_front.is_fan ? add_tie_of_fan(y) : add_tie(y, y, end);
-    return true;
+    return points && std::all_of(points->begin(), points->end(), [&](const Exact_pair& y) { return m_front.is_fan ? add_tie_of_fan(y) : add_tie(y, y, end); });
   }
 
-  void add_tie(const Exact_pair& y, const Exact_pair& z, bool end) { is_segment() ? add_tie_of_segment(y, z) : add_tie_at_end(y, z, end); }
+  // The same for all points between two of them, on a parallel.
+  bool add_tie(const Exact_pair& y, const Exact_pair& z, bool end) { return is_segment() ? add_tie_of_segment(y, z) : add_tie_at_end(y, z, end); }
 
-  void add_tie_of_fan(const Exact_pair& y)
+  bool add_tie_of_fan(const Exact_pair& y)
   {
     const Exact_pair d = exact_difference(y, m_graph.vertices()[m_front.object].exact_point);
     const auto& [from, to] = m_front.exact_normals;
     const Exact_rational a = exact_cross(d, from), b = exact_cross(to, d);   // clockwise from the first to the second one
     if (sign_of(a) < 0 || sign_of(b) < 0 || sign_of(Exact_rational(a + b)) == 0 || (sign_of(exact_dot(d, from)) <= 0 && sign_of(exact_dot(d, to)) <= 0))
-      return;
+      return true;
     const Exact_rational u = a / (a + b);
     m_ties.push_back({u, u, half(d)});
+    return true;
   }
 
   static Exact_pair half(const Exact_pair& d) { return {Exact_rational(d[0] / 2), Exact_rational(d[1] / 2)}; }
 
-  void add_tie_of_segment(const Exact_pair& y, const Exact_pair& z)
+  bool add_tie_of_segment(const Exact_pair& y, const Exact_pair& z)
   {
-    const Exact_rational first = own_arc().parameter_of_foot(y), last = own_arc().parameter_of_foot(z);
-    m_ties.push_back({(std::min)(first, last), (std::max)(first, last), half(exact_difference(y, own_arc().at(first)))});
+    const auto [first, last] = std::minmax({own_arc().parameter_of_foot(y), own_arc().parameter_of_foot(z)});
+    if (!is_certain(m_front.object, first, last))
+      return false;
+    m_ties.push_back({first, last, half(exact_difference(y, own_arc().at(own_arc().parameter_of_foot(y))))});
+    return true;
   }
 
-  void add_tie_at_end(const Exact_pair& y, const Exact_pair& z, bool end)
+  bool add_tie_at_end(const Exact_pair& y, const Exact_pair& z, bool end)
   {
-    const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
     if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, exact_difference(z, p))) > 0)
-      return;
+      return true;
     const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n));
     add_tie_at(end, {Exact_rational(share * n[0]), Exact_rational(share * n[1])});
+    return true;
   }
 
   void add_tie_at(bool end, const Exact_pair& way)

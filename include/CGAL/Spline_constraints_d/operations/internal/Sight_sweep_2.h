@@ -78,11 +78,14 @@ class Sight_sweep_2
 public:
   Sight_sweep_2(const Curve_parts_2& parts, const Exact_pair& viewpoint, std::vector<Sight_crossing> crossings) : m_parts(parts), m_crossings(std::move(crossings))
   {
+    const std::vector<bool> are_copies = copies();
+    std::erase_if(m_crossings, [&](const Sight_crossing& crossing) { return are_copies[crossing.curves[0]] || are_copies[crossing.curves[1]]; });
     for (Sight_crossing& crossing : m_crossings)
       settle(crossing);
-    for (const auto& pieces : parts.pieces())
-      for (const Hull_piece_2& piece : pieces)
-        append_sight_arcs(piece.curve(), viewpoint, m_arcs);
+    for (std::size_t i = 0; i < parts.number_of_curves(); ++i)
+      if (!are_copies[i])
+        for (const Hull_piece_2& piece : parts.pieces()[i])
+          append_sight_arcs(piece.curve(), viewpoint, m_arcs);
     for (const Sight_arc_2& arc : m_arcs)
       m_distances.push_back(arc.distance(arc.range()));
     make_clusters(viewpoint);
@@ -97,6 +100,34 @@ public:
   bool is_complete() const { return m_is_complete; }
 
 private:
+  // Which curves are parts of others, all of them, and so hide nothing: of those that are the same the first one stays.
+  std::vector<bool> copies() const
+  {
+    std::vector<bool> result(m_parts.number_of_curves(), false);
+    for (const Sight_crossing& crossing : m_crossings)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (const auto [copy, other] = std::pair(crossing.curves[k], crossing.curves[1 - k]); crossing.kind == Intersection_kind::OVERLAP && is_part_of(copy, other) && (other < copy || !is_part_of(other, copy)))
+          result[copy] = true;
+    return result;
+  }
+
+  // Whether overlaps with another curve cover all of a curve.
+  bool is_part_of(std::size_t curve, std::size_t other) const
+  {
+    std::vector<Parameter_range> ranges;
+    for (const Sight_crossing& crossing : m_crossings)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (crossing.kind == Intersection_kind::OVERLAP && crossing.curves[k] == curve && crossing.curves[1 - k] == other)
+          ranges.push_back(crossing.ranges[k]);
+    std::sort(ranges.begin(), ranges.end());
+    const auto& pieces = m_parts.pieces()[curve];
+    Exact_rational covered = pieces.front().curve().parameters[0];
+    for (const Parameter_range& range : ranges)
+      if (range.first <= covered)
+        covered = (std::max)(covered, range.second);
+    return covered >= pieces.back().curve().parameters[1];
+  }
+
   // The only common point in ranges has the simplest rational parameters of these, if that is a common point.
   void settle(Sight_crossing& crossing) const
   {
