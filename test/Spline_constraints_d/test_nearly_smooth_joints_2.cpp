@@ -316,6 +316,23 @@ TEST(SmoothJoints, RotatedRoundedRectangle)
   expect_euler(diagram);
 }
 
+// A toe of an icon: where its first joint is made smooth, curvatures differ by 0.4 percent, and the greater one is the greatest there. The axis ends in its center.
+TEST(SmoothJoints, CurvaturesThatDifferByLittle)
+{
+  const Curves curves{bezier({P(2.855469, 3.878906), P(2.726562, 3.878906), P(2.585938, 3.917969), P(2.433594, 4.023438)}), bezier({P(2.433594, 4.023438), P(1.230469, 4.855469), P(2.839844, 6.863281), P(3.546875, 6.554688)}),
+                      bezier({P(3.546875, 6.554688), P(4.167969, 6.28125), P(3.769531, 3.910156), P(2.855469, 3.878906)})};
+  const auto result = SC::with_smooth_joints<Exact>(curves, 2 * CGAL_PI / 180);
+  EXPECT_EQ(result.joints, 3U);
+  const auto diagram = SC::voronoi_diagram(result.curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.edges().size(), 4U);
+  expect_euler(diagram);
+  const auto points = result.curves[0].control_points();
+  const auto along = points[1] - points[0], across = points[2] - points[0];
+  const double length = std::sqrt(CGAL::to_double(along.squared_length())), radius = 1.5 * std::pow(length, 3) / std::abs(CGAL::to_double(CGAL::determinant(along, across)));
+  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [&](const auto& vertex) { return vertex.edges.size() == 1 && std::abs(vertex.radius - radius) < 1e-9; }), 1);
+}
+
 double area(const Curves& curves, double radius)
 {
   const SC::Trimmed_offset_2<K> offset = SC::trimmed_offset(curves, radius);

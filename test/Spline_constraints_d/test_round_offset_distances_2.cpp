@@ -130,6 +130,19 @@ TEST(RoundOffsetDistances, RingBetweenCubics)
   EXPECT_LT(total_area(offset.polygons_with_holes(1e-7)), 4 * pi * 0.0006);
 }
 
+// A wall opposite to the end of a quarter of a circle, at twice the distance. As a line touches a circle, curves are cut where they cross, at irrational parameters of both.
+TEST(RoundOffsetDistances, OppositePartsOfCurvesThatCross)
+{
+  const Curves curves{SC::bezier_curve(std::vector<P>{P(60, 22), P(100, 22)}), SC::circle_curve(P(85, 46), 20), SC::circle_curve(P(40, 40), 25), SC::bezier_curve(std::vector<P>{P(5, 15), P(75, 15)}),
+                      SC::bezier_curve(std::vector<P>{P(5, 50), P(20, -10), P(40, 90), P(60, 40)}), SC::bezier_curve(std::vector<P>{P(60, 40), P(80, -10), P(95, 10), P(115, 40)})};
+  const Offset offset = SC::trimmed_offset(curves, 2), larger = SC::trimmed_offset(curves, 2 + 0x1p-20), smaller = SC::trimmed_offset(curves, 2 - 0x1p-20);
+  EXPECT_EQ(number_of_components(offset), 1U);
+  EXPECT_EQ(number_of_components(larger), 1U);
+  EXPECT_EQ(offset.boundaries().size(), larger.boundaries().size());
+  EXPECT_EQ(smaller.boundaries().size() + 1, larger.boundaries().size());   // one hole less, below the wall
+  EXPECT_NEAR(total_area(offset.polygons_with_holes(1e-4)), total_area(larger.polygons_with_holes(1e-4)), 0.01);
+}
+
 // Columns of different heights, some corners of which are round.
 TEST(RoundOffsetDistances, RandomDrawingOnAGrid)
 {

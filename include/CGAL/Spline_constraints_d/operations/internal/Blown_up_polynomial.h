@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -126,8 +127,12 @@ public:
   // The polynomial divided by the power d of a or b.
   Interval operator()(const Chart_range& range) const { return at(range.radius, range.ratio, range.is_far).value; }
 
-  // Its derivative by the ratio.
-  Interval by_ratio(const Chart_range& range) const { return at(range.radius, range.ratio, range.is_far).by_ratio; }
+  // The same, and its derivative by the ratio.
+  std::array<Interval, 2> with_slope(const Chart_range& range) const
+  {
+    const Value value = at(range.radius, range.ratio, range.is_far);
+    return {value.value, value.by_ratio};
+  }
 
   // The signs for all a in a range, where b runs over another one, without the pieces that do not matter; zeros of factors at their begins do not count.
   template <class Is_irrelevant>

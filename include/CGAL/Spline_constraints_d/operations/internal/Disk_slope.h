@@ -100,7 +100,7 @@ public:
   Path_signs slopes(const Range& a, const Range& b, double least) const
   {
     const double least_share = share_of_largest(a);
-    return m_slope.signs(root(a, m_front_power), scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return curvature(range).sup() < least || (least_share > 0 && share(range).sup() < least_share); });
+    return m_slope.signs(root(a, m_front_power), scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return is_curvature_less(range, least) || (least_share > 0 && share(range).sup() < least_share); });
   }
 
   // Where a derivative is zero, the largest disks have at least such a share of that power of the distance from the end of the front, or of its root; 0 if nothing is known.
@@ -217,6 +217,23 @@ private:
     return value.inf() >= x ? result : (std::max)(x, 1.0);
   }
 
+  bool is_curvature_less(const Blown_up_polynomial::Chart_range& range, double least) const
+  {
+    return (m_numerator.degree() == m_denominator.degree() && mean_value_of_curvature(range).sup() < least) || curvature(range).sup() < least;
+  }
+
+  // Where the curvatures of two arcs in their joint differ by little, so do those of all disks there, more than bounds of numerator and denominator tell.
+  Interval mean_value_of_curvature(const Blown_up_polynomial::Chart_range& range) const
+  {
+    const auto [n, n_by_ratio] = m_numerator.with_slope(range);
+    const auto [d, d_by_ratio] = m_denominator.with_slope(range);
+    const Interval k = n / d, middle((range.ratio.inf() + range.ratio.sup()) / 2);
+    if (!std::isfinite(k.sup() - k.inf()))
+      return k;
+    const Blown_up_polynomial::Chart_range center{range.radius, middle, range.is_far};
+    return m_numerator(center) / m_denominator(center) + (n_by_ratio - k * d_by_ratio) / d * (range.ratio - middle);
+  }
+
   Interval curvature(const Blown_up_polynomial::Chart_range& range) const
   {
     constexpr int pieces = 8;   // of the ratio, on which k depends most
@@ -230,22 +247,12 @@ private:
     for (int i = 0; i < pieces; ++i) {
       const double begin = range.ratio.inf(), step = (range.ratio.sup() - begin) / pieces;
       const Blown_up_polynomial::Chart_range piece{range.radius, Interval(begin + i * step, i + 1 == pieces ? range.ratio.sup() : begin + (i + 1) * step), range.is_far};
-      const Interval k = quotient_over(piece);
+      const Interval k = m_numerator(piece) / m_denominator(piece);
       result = result ? hull(*result, k) : k;
     }
     for (std::size_t i = m_denominator.degree(); i < m_numerator.degree(); ++i)
       *result *= range.radius;
     return *result;
-  }
-
-  // Of numerator and denominator, also by a mean value form: where the curvatures of two arcs in their joint differ by little, so do those of all disks there.
-  Interval quotient_over(const Blown_up_polynomial::Chart_range& range) const
-  {
-    const Interval denominator = m_denominator(range), k = m_numerator(range) / denominator, middle((range.ratio.inf() + range.ratio.sup()) / 2);
-    if (!std::isfinite(k.sup() - k.inf()))
-      return k;
-    const Blown_up_polynomial::Chart_range center{range.radius, middle, range.is_far};
-    return common_part(k, m_numerator(center) / m_denominator(center) + (m_numerator.by_ratio(range) - k * m_denominator.by_ratio(range)) / denominator * (range.ratio - middle));
   }
 
   Range scaled(const Range& b) const { return root({b.begin / m_scale, b.end / m_scale}, m_arc_power); }
