@@ -21,7 +21,7 @@
 #include <string>
 
 namespace SC = CGAL::Spline_constraints;
-using K = CGAL::Simple_cartesian<double>;
+using K = CGAL::Simple_cartesian<SC::Exact_rational>;   // of drawings: decimals are read exactly, and what is symmetric stays so
 
 int main(int argc, char* argv[])
 {

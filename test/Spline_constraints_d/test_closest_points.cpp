@@ -96,7 +96,16 @@ TEST(Closest_points, FeetOnAnEllipse)
   for (int i = 0; i < 4; ++i)
     EXPECT_TRUE(std::abs(feet[i].first - expected[i].first) < 1e-14 && std::abs(feet[i].second - expected[i].second) < 1e-14) << i;
   EXPECT_EQ(inside.feet[3].squared_distance_range(), exactly(Exact_rational(25) / 4));
+  EXPECT_EQ(SC::projections(K::Point_2(K::FT(3) / 10, K::FT(1) / 5), ellipse).feet.size(), 4u);
+  EXPECT_EQ(SC::projections(K::Point_2(3, 2), ellipse).feet.size(), 2u);
   EXPECT_EQ(SC::projections(K::Point_2(7, 5), ellipse).feet.size(), 2u);
+  const auto at_cusp = SC::projections(K::Point_2(K::FT(3) / 2, 0), ellipse);   // of the evolute: three feet are one
+  EXPECT_TRUE(at_cusp.summary.is_complete);
+  ASSERT_EQ(at_cusp.feet.size(), 2u);
+  EXPECT_EQ(at_cusp.feet[0].kind(), Solution_kind::CLUSTER);
+  EXPECT_NEAR(CGAL::to_double(at_cusp.feet[0].point(1).x()), 2, 1e-9);
+  EXPECT_EQ(at_cusp.feet[1].kind(), Solution_kind::CERTIFIED);
+  EXPECT_EQ(at_cusp.feet[1].point(1), K::Point_2(-2, 0));
   expect_distance(K::Point_2(0, 0), ellipse, 1, 2);   // two feet, by symmetry
 }
 

@@ -56,6 +56,7 @@ TEST(Hausdorff_distance, Circles)
   expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(0, 0), K::FT(3)), 1e-4), 1, 1e-4);   // everywhere
   expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-8), 1 + std::sqrt(2.0), 1e-8);
   expect_within(SC::hausdorff_distance(circle, SC::circle_curve(K::Point_2(1, 1), K::FT(3)), 1e-300), 1 + std::sqrt(2.0), 1e-12);   // as far as doubles go
+  expect_within(SC::hausdorff_distance(SC::circle_curve(K::Point_2(0, 0), K::FT(1)), SC::circle_curve(K::Point_2(3, 0), K::FT(2)), 1e-8), 4, 1e-8);
 }
 
 // Curves that are the same, in parts or with other parameters, and one that is nearly the same.

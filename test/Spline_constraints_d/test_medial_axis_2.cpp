@@ -65,6 +65,24 @@ TEST(MedialAxis, SegmentOfAParabola)
         EXPECT_NEAR(sample.radius, 4 - sample.point.y(), 1e-9);
 }
 
+// Between the centers of its greatest curvatures.
+TEST(MedialAxis, SegmentOfAnEllipse)
+{
+  const Axis axis = SC::medial_axis(SC::planar_region(Curves{SC::ellipse_curve(P(0, 0), K::Vector_2(2, 0), K::Vector_2(0, 1))}));
+  EXPECT_TRUE(axis.is_complete());
+  EXPECT_EQ(number_of_vertices(axis, 1), 2U);
+  EXPECT_TRUE(has_vertex(axis, P(-1.5, 0), 0.5));
+  EXPECT_TRUE(has_vertex(axis, P(1.5, 0), 0.5));
+  double length = 0;
+  for (std::size_t e = 0; e < axis.edges().size(); ++e) {
+    const auto polyline = axis.polyline(e, 0.01);
+    for (const auto& sample : polyline)
+      EXPECT_NEAR(sample.point.y(), 0, 1e-12);
+    length += distance(polyline.front().point, polyline.back().point);
+  }
+  EXPECT_NEAR(length, 3, 1e-9);
+}
+
 // A piece of a side of a rectangle is so short that the disks at the other side may touch it and both of its neighbours.
 TEST(MedialAxis, ShortPiecesOnOneOfTwoParallelLines)
 {

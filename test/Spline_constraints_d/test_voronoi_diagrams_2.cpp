@@ -375,7 +375,47 @@ TEST(VoronoiDiagrams, RandomScenes)
   EXPECT_EQ(complete, 3);
 }
 
-// Random points, against the distances from many points of all sites. 100,000 queries give the same answers; here are fewer.
+// The scene of benchmark_voronoi_diagrams.
+TEST(VoronoiDiagrams, HundredCubics)
+{
+  std::mt19937 random(1);
+  const Curves curves = cubics_in_cells(random, 10);
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_TRUE(diagram.is_complete());
+  EXPECT_EQ(diagram.sites().size(), 300U);
+  EXPECT_EQ(diagram.number_of_regions(), 100U);
+  expect_euler(diagram);
+  expect_empty_disks(diagram, curves, 0.5);
+}
+
+// From 2 to 11 cubics in a square, most of which cross others: diagrams are complete, and nothing contradicts them.
+TEST(VoronoiDiagrams, RandomScenesOfCurvesThatCross)
+{
+  std::size_t crossing = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937 random(seed);
+    const double side = 6 * std::sqrt(static_cast<double>(seed + 1));
+    std::uniform_real_distribution<double> place(0, side), offset(-5, 5);
+    Curves curves;
+    for (unsigned i = 0; i <= seed; ++i) {
+      const P center(place(random), place(random));
+      std::vector<P> points;
+      for (int k = 0; k < 4; ++k) {
+        const double x = center.x() + offset(random), y = center.y() + offset(random);
+        points.emplace_back(x, y);
+      }
+      curves.push_back(bezier(points));
+    }
+    const Diagram diagram = SC::voronoi_diagram(curves);
+    EXPECT_TRUE(diagram.is_complete()) << "seed " << seed;
+    expect_euler(diagram);
+    expect_empty_disks(diagram, curves, 0.5);
+    crossing += diagram.sites().size() > 3 * curves.size();   // curves are cut there
+  }
+  EXPECT_GT(crossing, 7U);
+}
+
+// Random points, against the distances from many points of all sites. In benchmark_nearest_sites there are 100,000, and distances are those from the curves.
 TEST(VoronoiDiagrams, NearestSites)
 {
   std::mt19937 random(3);

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_NUMBER_INVALID_INPUT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_NUMBER_INVALID_INPUT_H
 
+#include <charconv>
 #include <stdexcept>
 #include <string>
 
@@ -25,6 +26,13 @@ public:
 };
 
 namespace internal {
+
+// The shortest decimal number that is read as this one.
+inline std::string shortest_text(double x)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
 
 // Of operations that approximate: the distance they are given.
 template <class Number>

@@ -25,7 +25,7 @@ std::vector<Boundary_loop_2> both_sides(const Curve& curve)
   std::vector<Boundary_piece> pieces = boundary_pieces(curve, 0);
   for (std::size_t i = 1; i < pieces.size(); ++i)
     if (pieces[i - 1].at(1) != pieces[i].at(0))
-      throw Invalid_input("swept_area: the curve has a jump at parameter " + std::to_string(to_nearest_double(pieces[i].parameters[0])));
+      throw Invalid_input("swept_area: the curve has a jump at parameter " + internal::shortest_text(to_nearest_double(pieces[i].parameters[0])));
   const Boundary_loop_2 forward(pieces);
   Boundary_loop_2 backward(forward);
   backward.reverse();

@@ -45,7 +45,7 @@ std::vector<typename Traits::Polygon_with_holes_2> to_general_polygons(const Pla
     for (const internal::Boundary_piece& piece : region.loops()[boundary].pieces()) {
       const auto curves = curves_of(internal::Boundary_loop_2({piece}).curve());
       if (!curves)
-        throw Invalid_input("to_general_polygons: curve " + std::to_string(piece.curve) + " is no curve of the traits class next to the parameter " + std::to_string(to_nearest_double(piece.parameters[0])));
+        throw Invalid_input("to_general_polygons: curve " + std::to_string(piece.curve) + " is no curve of the traits class next to the parameter " + internal::shortest_text(to_nearest_double(piece.parameters[0])));
       for (const auto& curve : *curves)
         traits.make_x_monotone_2_object()(curve, CGAL::dispatch_output<typename Traits::Point_2, Arc>(CGAL::Emptyset_iterator(), std::back_inserter(arcs)));
     }

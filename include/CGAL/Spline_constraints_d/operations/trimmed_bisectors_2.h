@@ -43,7 +43,7 @@ the trimmed bisector of two curves in the plane: all points that have the same d
 The distance is that of the nearest point of a curve, which may be one of its ends. Other than `bisector_curves()`, this has no centers of circles that touch both curves, but have another point of them inside.
 
 Curves may cross or touch each other and themselves: a chain begins in each of the angles at a common point of both. They may share end points, and overlap. Points of which such a common end, or a point of a common piece, is the only nearest point are equally far from both curves, too, but no part of the result: they form areas, or a normal of both. An edge between what is common and one of the curves is a part of the boundary of such an area, and belongs to the result.
-Where curves touch at parameters that are not rational, or have a zero derivative, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
+Where curves touch at parameters that are not rational, or have a zero derivative at one in the inside of a piece, the bisector is not resolved, and `Trimmed_bisector_2::is_complete()` is false.
 
 It is proved as the Voronoi diagram of both curves, see `voronoi_diagram()`.
 

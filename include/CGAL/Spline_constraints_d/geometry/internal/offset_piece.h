@@ -50,7 +50,7 @@ inline Exact_range positive_bounds(const Expression_bounds& formula, const Unkno
   if (depth == maximal_depth) {
     std::string place;
     for (const auto& range : box)
-      place += (place.empty() ? " near the parameter " : ", ") + std::to_string(to_nearest_double(range.first));
+      place += (place.empty() ? " near the parameter " : ", ") + shortest_text(to_nearest_double(range.first));
     throw Invalid_input(what + " is zero, or too small to be told from it," + place);
   }
   const auto [first, second] = halves_of(box);

@@ -81,7 +81,7 @@ inline void check_is_no_point(const std::array<Bernstein_tensor<Exact_rational>,
   const std::array<Exact_rational, 1> begin{Exact_rational(0)};
   const auto is_constant = [&, &w = w](const Bernstein_tensor<Exact_rational>& f) { return std::ranges::all_of((f * w(begin) - w * f(begin)).coefficients(), [](const Exact_rational& c) { return sign_of(c) == 0; }); };
   if (is_constant(x) && is_constant(y))
-    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " + std::to_string(to_nearest_double(domain.first)) + " and " + std::to_string(to_nearest_double(domain.second)) + " is a point");
+    throw Invalid_input(prefix + "the piece of curve " + std::to_string(curve) + " between the parameters " + shortest_text(to_nearest_double(domain.first)) + " and " + shortest_text(to_nearest_double(domain.second)) + " is a point");
 }
 
 template <class Curve>

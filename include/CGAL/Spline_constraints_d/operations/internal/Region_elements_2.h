@@ -239,7 +239,7 @@ private:
       return;
     }
     if (!is_regular)
-      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) + " is zero, or nearly so, at parameter " + std::to_string(origin(arc, range.begin).second));
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, range.begin).first) + " is zero, or nearly so, at parameter " + shortest_text(origin(arc, range.begin).second));
     add({Turn::UNKNOWN, false, arc, range, {d0, d1}, {}});
   }
 
@@ -276,7 +276,7 @@ private:
   {
     const Exact_pair d = m_arcs[arc].tangent_at(to_rational(t));
     if (sign_of(d[0]) == 0 && sign_of(d[1]) == 0)
-      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + std::to_string(origin(arc, t).second));
+      throw Invalid_input("the derivative of curve " + std::to_string(origin(arc, t).first) + " is zero at parameter " + shortest_text(origin(arc, t).second));
     return d;
   }
 
@@ -287,7 +287,7 @@ private:
     const int turn = sign_of(exact_cross(d0, d1));
     const bool turns_back = turn == 0 && sign_of(exact_dot(d0, d1)) < 0;
     if (turns_back && !is_other_side(before, after))
-      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + std::to_string(origin(before, 1).second));
+      throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + shortest_text(origin(before, 1).second));
     if (turn > 0 || turns_back)
       add_fan(before, d0, d1);
     else if (turn < 0)

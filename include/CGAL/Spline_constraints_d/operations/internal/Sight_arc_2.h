@@ -199,7 +199,7 @@ inline void append_sight_arcs(const Boundary_piece& piece, const Exact_pair& vie
     if (root.sign_of_value(integer_polynomial(a)) == CGAL::ZERO && root.sign_of_value(integer_polynomial(b)) == CGAL::ZERO) {
       const Exact_rational at(piece.parameters[0] + root.lower() * (piece.parameters[1] - piece.parameters[0]));
       if (!root.is_point())
-        throw Invalid_input("visible_part: the point is on curve " + std::to_string(piece.curve) + " next to parameter " + std::to_string(to_nearest_double(at)) + ", which is not rational");
+        throw Invalid_input("visible_part: the point is on curve " + std::to_string(piece.curve) + " next to parameter " + shortest_text(to_nearest_double(at)) + ", which is not rational");
       append_sight_arcs(restricted(piece, Exact_rational(0), root.lower()), viewpoint, arcs);
       append_sight_arcs(restricted(piece, root.lower(), Exact_rational(1)), viewpoint, arcs);
       return;

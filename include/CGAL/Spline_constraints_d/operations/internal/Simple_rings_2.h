@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  static std::string name(std::size_t curve, const Exact_rational& parameter) { return "curve " + std::to_string(curve) + " at parameter " + std::to_string(to_nearest_double(parameter)); }
+  static std::string name(std::size_t curve, const Exact_rational& parameter) { return "curve " + std::to_string(curve) + " at parameter " + shortest_text(to_nearest_double(parameter)); }
   static std::string name_of_end(const Strand& strand, int side) { return name(strand.front().curve, side == 0 ? strand.front().parameters[0] : strand.back().parameters[1]); }
   static Exact_pair end_point(const Strand& strand, int side) { return side == 0 ? strand.front().at(0) : strand.back().at(1); }
   static Exact_pair middle(const Strand& strand) { return strand.front().at(Exact_rational(1) / 2); }
@@ -95,13 +95,18 @@ private:
   // An even number of ends in each point.
   static void check_ends(const std::vector<Strand>& curves)
   {
+    constexpr std::size_t most_names = 8;
+    std::string open;   // ends
+    std::size_t names = 0;
     for (const auto& [point, ends] : ends_at(curves)) {
       const auto name = [&](std::size_t k) { return name_of_end(curves[ends[k].curve], ends[k].side); };
-      if (ends.size() == 1)
-        throw Invalid_input("Planar_region_2: the boundary is open: " + name(0) + " ends where no other one goes on");
-      if (ends.size() % 2 == 1)
+      if (ends.size() == 1 && ++names <= most_names)
+        open += (open.empty() ? "" : ", ") + name(0);
+      if (ends.size() > 1 && ends.size() % 2 == 1)
         throw Invalid_input("Planar_region_2: an odd number of ends of curves are the same point: " + name(0) + ", " + name(1) + ", " + name(2) + (ends.size() > 3 ? " and others" : ""));
     }
+    if (names > 0)
+      throw Invalid_input("Planar_region_2: the boundary is open: no other curve goes on from " + open + (names > most_names ? " and others" : ""));
   }
 
   static std::map<Exact_pair, std::vector<Curve_end>> ends_at(const std::vector<Strand>& strands)
