@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <utility>
 #include <vector>
@@ -36,6 +37,44 @@ CGAL::Polygon_2<K> star(std::mt19937& random, int n)
   return result;
 }
 
+constexpr double most_error = 1e-9;   // of corners, which are rounded
+
+double cross(const K::Vector_2& u, const K::Vector_2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+bool are_near(const K::Point_2& p, const K::Point_2& q) { return CGAL::squared_distance(p, q) < most_error * most_error; }
+
+// The points where a boundary turns: there may be others on its sides.
+template <class Polygon>
+std::vector<K::Point_2> corners(const Polygon& polygon)
+{
+  std::vector<K::Point_2> points, result;
+  for (const auto& p : polygon)
+    if (const K::Point_2 q(CGAL::to_double(p.x()), CGAL::to_double(p.y())); points.empty() || !are_near(points.back(), q))
+      points.push_back(q);
+  while (points.size() > 1 && are_near(points.front(), points.back()))
+    points.pop_back();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const K::Vector_2 before = points[i] - points[(i + points.size() - 1) % points.size()], after = points[(i + 1) % points.size()] - points[i];
+    if (before * after <= 0 || std::abs(cross(before, after)) > most_error * std::sqrt((before + after).squared_length()))
+      result.push_back(points[i]);
+  }
+  return result;
+}
+
+// Whether two boundaries have the same corners in the same order; they may begin with different ones.
+template <class Polygon, class Other>
+bool have_same_corners(const Polygon& polygon, const Other& other)
+{
+  const auto a = corners(polygon);
+  auto b = corners(other);
+  if (a.size() != b.size() || a.size() < 3)
+    return false;
+  for (std::size_t shift = 0; shift < a.size(); ++shift, std::rotate(b.begin(), b.begin() + 1, b.end()))
+    if (std::equal(a.begin(), a.end(), b.begin(), are_near))
+      return true;
+  return false;
+}
+
 // Compares the sum with that of CGAL, and returns this.
 CGAL::Polygon_with_holes_2<Exact_kernel> expect_sum_of_CGAL(const CGAL::Polygon_2<K>& a, const CGAL::Polygon_2<K>& b)
 {
@@ -53,6 +92,9 @@ CGAL::Polygon_with_holes_2<Exact_kernel> expect_sum_of_CGAL(const CGAL::Polygon_
   if (polygons.size() == 1) {
     EXPECT_EQ(polygons[0].number_of_holes(), expected.number_of_holes());
     EXPECT_NEAR(area(polygons[0]), area(expected), 1e-9);
+    EXPECT_TRUE(have_same_corners(polygons[0].outer_boundary(), expected.outer_boundary()));
+    for (const auto& hole : expected.holes())
+      EXPECT_EQ(std::count_if(polygons[0].holes_begin(), polygons[0].holes_end(), [&](const auto& found) { return have_same_corners(found, hole); }), 1);
   }
   return expected;
 }

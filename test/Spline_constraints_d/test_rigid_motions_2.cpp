@@ -10,6 +10,7 @@
 #include <CGAL/Spline_constraints_d/operations/region_distances_2.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
 #include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -112,21 +113,26 @@ struct Boundary_edge
   std::array<Range, 2> parameters;
 };
 
-void expect_same_boundary(const std::vector<Boundary_edge>& a, const std::vector<Boundary_edge>& b)
+bool are_same_boundaries(const std::vector<Boundary_edge>& a, const std::vector<Boundary_edge>& b)
 {
-  ASSERT_EQ(a.size(), b.size());
-  ASSERT_FALSE(a.empty());
   const auto are_same = [](const Boundary_edge& e, const Boundary_edge& f) {
     const auto meet = [](const Range& r, const Range& s) { return r.first <= s.second && s.first <= r.second; };
     return e.kind == f.kind && e.curves == f.curves && meet(e.parameters[0], f.parameters[0]) && meet(e.parameters[1], f.parameters[1]);
   };
   bool is_found = false;
-  for (std::size_t shift = 0; shift < a.size() && !is_found; ++shift) {
+  for (std::size_t shift = 0; shift < b.size() && !is_found; ++shift) {
     std::vector<Boundary_edge> shifted(b);
     std::rotate(shifted.begin(), shifted.begin() + static_cast<std::ptrdiff_t>(shift), shifted.end());
-    is_found = std::equal(a.begin(), a.end(), shifted.begin(), are_same);
+    is_found = std::equal(a.begin(), a.end(), shifted.begin(), shifted.end(), are_same);
   }
-  EXPECT_TRUE(is_found);
+  return is_found;
+}
+
+void expect_same_boundary(const std::vector<Boundary_edge>& a, const std::vector<Boundary_edge>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  ASSERT_FALSE(a.empty());
+  EXPECT_TRUE(are_same_boundaries(a, b));
   for (const Boundary_edge& edge : b)
     for (const Range& range : edge.parameters)
       EXPECT_LE(SC::to_nearest_double(R(range.second - range.first)), 1e-9);
@@ -318,6 +324,80 @@ TEST(RigidMotions, TrimmedBisectors)
       EXPECT_EQ(bisector.chains()[0].arcs.size(), other.chains()[0].arcs.size());
       EXPECT_EQ(bisector.chains()[0].is_closed, other.chains()[0].is_closed);
     }
+  }
+}
+
+// With parameters that may differ by 10^-9.
+std::vector<Boundary_edge> boundary(const SC::Trimmed_offset_2<K>& offset, std::size_t index)
+{
+  const R error(1, 2000000000);
+  std::vector<Boundary_edge> result;
+  for (const std::size_t i : offset.boundaries()[index].arcs) {
+    const auto& arc = offset.arcs()[i];
+    const auto range = [&](double parameter) { return Range(R(SC::to_rational(parameter) - error), R(SC::to_rational(parameter) + error)); };
+    result.push_back({arc.is_circular, {arc.curve, arc.curve}, {range(arc.parameters[0]), range(arc.parameters[1])}});
+  }
+  return result;
+}
+
+double area(const SC::Trimmed_offset_2<K>& offset, double error)
+{
+  double result = 0;
+  for (const auto& polygon : offset.polygons_with_holes(error)) {
+    result += CGAL::to_double(polygon.outer_boundary().area());
+    for (const auto& hole : polygon.holes())
+      result += CGAL::to_double(hole.area());
+  }
+  return result;
+}
+
+// Each boundary is that of one of the others, of the same kind.
+void expect_same_offset(const SC::Trimmed_offset_2<K>& before, const SC::Trimmed_offset_2<K>& after, const Motion& motion)
+{
+  constexpr double chord_error = 1e-5;
+  const double scale = CGAL::to_double(motion.scale);
+  EXPECT_TRUE(before.is_complete());
+  EXPECT_TRUE(after.is_complete());
+  EXPECT_EQ(before.arcs().size(), after.arcs().size());
+  ASSERT_EQ(before.boundaries().size(), after.boundaries().size());
+  ASSERT_FALSE(before.boundaries().empty());
+  for (std::size_t i = 0; i < before.boundaries().size(); ++i) {
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < after.boundaries().size(); ++k)
+      found += before.boundaries()[i].is_hole == after.boundaries()[k].is_hole && are_same_boundaries(boundary(before, i), boundary(after, k));
+    EXPECT_EQ(found, 1U) << "boundary " << i;
+  }
+  std::vector<P> centers, moved_centers;
+  for (const auto& arc : before.arcs())
+    if (arc.is_circular)
+      centers.push_back(motion(arc.center));
+  for (const auto& arc : after.arcs())
+    if (arc.is_circular)
+      moved_centers.push_back(arc.center);
+  EXPECT_TRUE(std::is_permutation(centers.begin(), centers.end(), moved_centers.begin(), moved_centers.end()));   // exactly
+  const double expected = area(before, chord_error);
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(area(after, scale * chord_error) / (scale * scale), expected, 1e-6 * expected);
+}
+
+// Of curves and a point, and of a region with a hole that grows and shrinks.
+TEST(RigidMotions, TrimmedOffsets)
+{
+  std::mt19937 random(7);
+  const Curves curves = curves_in_cells(random, 3, 3);
+  const std::vector<P> points{point_in_cell(random, 20, 10)};
+  const Curves outline{closed_spline(random, 0, 0, 7, 10, 6), SC::polyline_curve(std::vector<P>{P(-2, -1), P(1, -2), P(0, 2), P(-2, -1)})};
+  const R distance(3, 4);
+  const auto around_curves = SC::trimmed_offset(curves, distance, points), grown = SC::trimmed_offset(SC::planar_region(outline), distance), shrunk = SC::trimmed_offset(SC::planar_region(outline), R(-distance));
+  EXPECT_TRUE(std::any_of(around_curves.arcs().begin(), around_curves.arcs().end(), [](const auto& arc) { return arc.is_circular; }));
+  EXPECT_EQ(grown.boundaries().size(), 2U);
+  EXPECT_EQ(shrunk.boundaries().size(), 2U);
+  for (const Motion& motion : {Motion{R(1), R(3, 5), R(4, 5), R(17, 3), R(-22, 7)}, motions[4]}) {
+    const R moved_distance(motion.scale * distance);
+    const auto moved = SC::planar_region(motion(outline));
+    expect_same_offset(around_curves, SC::trimmed_offset(motion(curves), moved_distance, {motion(points[0])}), motion);
+    expect_same_offset(grown, SC::trimmed_offset(moved, moved_distance), motion);
+    expect_same_offset(shrunk, SC::trimmed_offset(moved, R(-moved_distance)), motion);
   }
 }
 

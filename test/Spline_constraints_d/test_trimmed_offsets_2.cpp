@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <vector>
@@ -384,6 +385,24 @@ TEST(TrimmedOffsets, CoincidentControlPoints)
   EXPECT_GT(asked, 150);
 }
 
+// Each arc begins and ends at the distance from the points of its curve with its parameters, which for an arc around a point are this one.
+void expect_distances_at_ends(const Offset& offset, const Curves& curves, double r)
+{
+  std::size_t arcs_of_curves = 0;
+  for (std::size_t i = 0; i < offset.arcs().size(); ++i) {
+    const Offset::Arc& arc = offset.arcs()[i];
+    const auto samples = offset.polyline(i, 0.02);
+    ASSERT_GT(samples.size(), 1U);
+    ASSERT_LT(arc.curve, curves.size());
+    arcs_of_curves += !arc.is_circular;
+    for (const bool is_end : {false, true}) {
+      const P foot = curves[arc.curve](arc.parameters[is_end]);
+      EXPECT_NEAR(std::sqrt(CGAL::squared_distance(is_end ? samples.back() : samples.front(), foot)), r, 1e-9) << "arc " << i;
+    }
+  }
+  EXPECT_GT(arcs_of_curves, 0U);
+}
+
 TEST(TrimmedOffsets, RandomScenes)
 {
   std::mt19937 random(5);
@@ -398,6 +417,7 @@ TEST(TrimmedOffsets, RandomScenes)
     for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
       for (const P& p : offset.polyline(arc, 0.02))
         EXPECT_NEAR(distance(p, points), r, 0.02);
+    expect_distances_at_ends(offset, curves, r);
 
     constexpr int samples = 2000;
     constexpr double low = -2, high = 12, square = (high - low) * (high - low);

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -136,7 +137,27 @@ TEST(VoronoiArrangement, NearestPointByPointLocation)
   EXPECT_EQ(SC::to_arrangement(diagram, 0.01, CGAL::Bbox_2(10, -1, 11, 0)).arrangement.number_of_faces(), 2U);   // in one cell, and without edges
 }
 
-// On the left of each halfedge there is the site that it knows, and the disk of each vertex touches its contacts.
+// The disk around a sample touches both sites of an edge of the diagram, at the parameters of the sample.
+void expect_feet(const SC::Voronoi_diagram_2<K>& diagram, const Curves& curves, std::size_t edge, const SC::Voronoi_sample_2<K>& sample)
+{
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto& site = diagram.sites()[diagram.edges()[edge].sites[side]];
+    const P foot = site.is_point ? site.point : curves[site.curve](sample.parameters[side]);
+    EXPECT_NEAR(std::sqrt(CGAL::squared_distance(sample.point, foot)), sample.radius, 1e-9 * sample.radius) << "edge " << edge << " side " << side << " at " << sample.point;
+  }
+}
+
+// An edge of the arrangement is all of the chord between two samples, or a part of it that the box cuts.
+void expect_chord_of_samples(const Voronoi_arrangement::Arrangement::Halfedge& edge, const SC::Voronoi_sample_2<K>& from, const SC::Voronoi_sample_2<K>& to)
+{
+  using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  const auto exact = [](const P& p) { return Exact_kernel::Point_2(p.x(), p.y()); };
+  const Exact_kernel::Segment_2 chord(exact(from.point), exact(to.point));
+  EXPECT_TRUE(chord.has_on(edge.source()->point()));
+  EXPECT_TRUE(chord.has_on(edge.target()->point()));
+}
+
+// On the left of each halfedge there is the site that it knows, the disk of each vertex touches its contacts, and labels of edges lead to disks that touch both sites.
 TEST(VoronoiArrangement, RecordsKnowTheirSites)
 {
   const Curves curves{SC::bezier_curve(std::vector<P>{P(0, 0), P(1, 2), P(2, -2), P(3, 0)}), SC::bezier_curve(std::vector<P>{P(0, 3), P(1, 5), P(2, 2), P(3, 4)})};
@@ -170,6 +191,23 @@ TEST(VoronoiArrangement, RecordsKnowTheirSites)
       EXPECT_EQ(h->face()->data(), std::vector<std::size_t>{diagram.sites()[*h->data()].region});
     }
   EXPECT_GT(checked, 100U);
+  std::size_t edges_of_diagram = 0, sides_of_box = 0;
+  for (auto edge = result.arrangement.edges_begin(); edge != result.arrangement.edges_end(); ++edge) {
+    EXPECT_GT(edge->curve().data().size(), 0U);
+    for (const auto& label : edge->curve().data())
+      if (label.curve < diagram.edges().size()) {
+        expect_chord_of_samples(*edge, result.polylines[label.curve][label.chord], result.polylines[label.curve][label.chord + 1]);
+        for (const std::size_t i : {label.chord, label.chord + 1})
+          expect_feet(diagram, curves, label.curve, result.polylines[label.curve][i]);
+        ++edges_of_diagram;
+      } else {
+        EXPECT_EQ(label.curve, diagram.edges().size());
+        EXPECT_LT(label.chord, 4U);
+        ++sides_of_box;
+      }
+  }
+  EXPECT_GT(edges_of_diagram, 100U);
+  EXPECT_GE(sides_of_box, 4U);
 }
 
 // CGAL's streams know the geometry, without labels and records.
