@@ -210,7 +210,6 @@ TEST(planar_regions_2, bad_boundaries)
   expect_refused({circle(0, 0, 2), circle(0, 0, 5), circle(3, 0, 1), circle(4, 0, 1)}, "and curve 3 at parameter");
   expect_refused({circle(0, 0, 5), circle(6, 0, 5)}, "curve 0 at parameter 0.5 and curve 1 at parameter 1.5 cross");
   expect_refused({circle(0, 0, 5), circle(5, 0, 5)}, " cross");   // at irrational parameters
-  expect_refused({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, "meet in a common part");
   expect_refused({segment(a, b), segment(b, b), segment(b, c), segment(c, a)}, "Planar_region_2: the piece of curve 1 between the parameters 0 and 1 is a point");
   expect_refused({polygon({a, b, b, c})}, "the piece of curve 0 between the parameters 1 and 2 is a point");
   expect_refused({segment(a, b), segment(b, a)}, "all curves are there twice");
@@ -283,6 +282,31 @@ TEST(planar_regions_2, slits)
   EXPECT_EQ(rectangle.boundaries().size(), 1u);
   EXPECT_EQ(rectangle.area().first, 32);
   EXPECT_EQ(rectangle.bounded_side(Point(4, 1)), CGAL::ON_BOUNDED_SIDE);
+}
+
+// Outlines with a part of a side in common, as rooms beside each other: the wall is no boundary there.
+TEST(planar_regions_2, common_walls)
+{
+  const Point a(0, 0), b(4, 0), c(4, 4), d(0, 4);
+  const auto expect_one_ring = [](const Curves& curves, const R& area) {
+    const Region region(curves);
+    EXPECT_EQ(region.boundaries().size(), 1u);
+    EXPECT_EQ(region.area(), std::make_pair(area, area));
+    EXPECT_FALSE(region.has_touching_boundaries());
+    return region;
+  };
+  const Region rooms = expect_one_ring({polygon({a, b, c, d}), polygon({{4, 1}, {8, 1}, {8, 5}, {4, 5}})}, 32);
+  EXPECT_EQ(rooms.bounded_side(Point(4, 2)), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(rooms.bounded_side(Point(4, R(1) / 2)), CGAL::ON_BOUNDARY);
+  EXPECT_EQ(rooms.bounded_side(Point(4, R(9) / 2)), CGAL::ON_BOUNDARY);
+  expect_one_ring({polygon({a, b, c, d}), polygon({{1, 0}, {2, 0}, {2, 1}})}, R(31) / 2);   // a notch
+  expect_one_ring({polygon({a, b, {4, 8}, {0, 8}}), polygon({{4, 1}, {8, 1}, {8, 5}, {4, 5}}), polygon({{4, 5}, {6, 5}, {6, 7}, {4, 7}})}, 52);
+  expect_one_ring({polygon({a, b, {4, 2}, {4, 3}, {4, 5}, {0, 5}}), polygon({{4, 1}, {8, 1}, {8, 4}, {4, 4}})}, 32);   // with corners in a straight wall
+  expect_one_ring({polygon({a, b, c, d}), polygon({{1, 1}, {1, 0}, {2, 0}, {2, 1}}), polygon({{3, 1}, {3, 0}, {4, 0}, {4, 1}})}, 14);
+  // Below and above a part of a parabola.
+  const auto arch = SC::bezier_curve<Exact_cartesian>({{0, 0}, {2, 4}, {4, 0}});
+  expect_one_ring({arch, segment(b, a), arch.restricted(R(1) / 4, R(3) / 4), SC::polyline_curve(std::vector<Point>{{3, R(3) / 2}, {3, 3}, {1, 3}, {1, R(3) / 2}})}, R(23) / 3);
+  expect_invalid([&] { Region region(Curves{SC::bezier_curve<Exact_cartesian>({b, {4, 1}, c}), SC::polyline_curve(std::vector<Point>{c, d, a, b}), polygon({{4, 1}, {8, 1}, {8, 5}, {4, 5}})}); }, "meet in a common part");   // at different speeds
 }
 
 } // namespace

@@ -34,7 +34,7 @@ A bounded region of the plane, of one or more parts, with or without holes, whos
 The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another one, with exactly the same end point. They must not cross; that is proved. A point belongs to the region if an odd number of boundaries go around it.
 Boundaries are simple, and in the direction that has the region on the left: outer ones counterclockwise, those of holes clockwise.
 
-Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on none. They are no part of the boundaries.
+Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on none. They are no part of the boundaries. So are parts of pieces, as where one room has a part of a wall in common with another one, if they begin and end at rational parameters, and both curves run through them at proportional speeds.
 
 \tparam Kernel_ a `SplineKernel`.
 */
@@ -74,7 +74,7 @@ public:
   the region between these curves.
   \param curves the curves.
   \param options those of the solver that looks for common points.
-  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
+  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide other than as above; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
   message names the curves and the parameters.
   */
   template <std::ranges::input_range Range>

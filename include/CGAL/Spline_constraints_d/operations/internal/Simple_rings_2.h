@@ -27,7 +27,7 @@ namespace internal {
 /*
 Outlines that may touch, but do not cross, as simple rings that have no more than vertices in common.
 
-Pieces that are there twice have the same on both sides, and are left out. What remains is cut where it meets, in rational points; parts between cuts are strands. However strands are put together to rings, a point is in the region if an odd number of rings go around it. So it is known on which side of a strand the region is. An outline touches itself if this is one side of
+Pieces that are there twice have the same on both sides, and are left out. What remains is cut where it meets, in rational points, and where common parts begin and end, which are left out then; parts between cuts are strands. However strands are put together to rings, a point is in the region if an odd number of rings go around it. So it is known on which side of a strand the region is. An outline touches itself if this is one side of
 all of a curve; if it is not, the curve crosses another one.
 */
 class Simple_rings_2
@@ -54,9 +54,10 @@ public:
     const auto in_any_direction = [](const Curve_end&) { return true; };
     make_strands(without_doubled_pieces(std::move(curves)));
     m_rings = rings(in_any_direction);
-    if (cut_where_rings_meet(options)) {
-      make_strands(std::move(m_strands));
+    for (Meetings meetings = cut_where_rings_meet(options, true); meetings != Meetings::NONE; ) {
+      make_strands(without_doubled_pieces(std::move(m_strands)));
       m_rings = rings(in_any_direction);
+      meetings = meetings == Meetings::PARTS ? cut_where_rings_meet(options, false) : Meetings::NONE;   // none of which is left
     }
     find_sides();
     if (!std::all_of(m_rings.begin(), m_rings.end(), [&](const Ring& ring) { return has_region_on_one_side(ring); }))
@@ -237,9 +238,12 @@ private:
     return same_curve != ends.end() ? *same_curve : *std::find_if(ends.begin(), ends.end(), may_follow);
   }
 
-  // Splits pieces in common points of the rings. Returns whether there are any.
-  bool cut_where_rings_meet(const Solver_options& options)
+  enum class Meetings { NONE, POINTS, PARTS };
+
+  // Splits pieces in common points of the rings, and in the ends of common parts. Returns what there is.
+  Meetings cut_where_rings_meet(const Solver_options& options, bool may_have_common_parts)
   {
+    bool have_common_parts = false;
     std::vector<Boundary_loop_2> loops;
     std::vector<Bspline_curve_2<Exact_kernel>> curves;
     for (const Ring& ring : m_rings) {
@@ -248,18 +252,59 @@ private:
     }
     std::map<std::size_t, std::vector<Exact_rational>> cuts;
     for (const auto& pair : pairwise_intersections(curves, options, Self_intersections::INCLUDED).pairs)
-      for (const auto& meeting : pair.intersections)
-        for (const auto& [curve, parameter] : origins_of_common_point(meeting, {&loops[pair.first], &loops[pair.second]}))
+      for (const auto& meeting : pair.intersections) {
+        const std::array<const Boundary_loop_2*, 2> both{&loops[pair.first], &loops[pair.second]};
+        const auto in_common_part = may_have_common_parts ? origins_in_common_part(meeting, both) : std::nullopt;
+        have_common_parts = have_common_parts || in_common_part;
+        for (const auto& [curve, parameter] : in_common_part ? *in_common_part : origins_of_common_point(meeting, both))
           cuts[curve].push_back(parameter);
+      }
     for (Strand& strand : m_strands)
       if (const auto own = cuts.find(strand.front().curve); own != cuts.end())
         strand = split(strand, own->second);
-    return !cuts.empty();
+    return have_common_parts ? Meetings::PARTS : cuts.empty() ? Meetings::NONE : Meetings::POINTS;
+  }
+
+  using Origin = std::pair<std::size_t, Exact_rational>;   // a curve and its parameter
+
+  // On both curves, the ends of a common part, if these are rational, and of its straight pieces.
+  template <class Meeting>
+  static std::optional<std::vector<Origin>> origins_in_common_part(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
+  {
+    if (meeting.kind() != Intersection_kind::OVERLAP)
+      return std::nullopt;
+    const std::array<Parameter_range, 2> ranges{meeting.parameter_range(0), meeting.parameter_range(1)};
+    const auto end = [&](std::size_t k, bool is_last) { return loops[k]->at(is_last ? ranges[k].second : ranges[k].first); };
+    const auto are_ends = [&](bool is_reversed) { return end(0, false) == end(1, is_reversed) && end(0, true) == end(1, !is_reversed); };
+    if (!are_ends(false) && !are_ends(true))
+      return std::nullopt;
+    std::vector<Origin> result;
+    for (std::size_t k = 0; k < 2; ++k) {
+      result.insert(result.end(), {loops[k]->origin(ranges[k].first), loops[k]->origin(ranges[k].second)});
+      append_ends_of_pieces(*loops[1 - k], ranges[1 - k], *loops[k], ranges[k], result);
+    }
+    return result;
+  }
+
+  // Where pieces of a loop within a range end in the inside of segments of another one.
+  static void append_ends_of_pieces(const Boundary_loop_2& loop, const Parameter_range& range, const Boundary_loop_2& other, const Parameter_range& other_range, std::vector<Origin>& origins)
+  {
+    for (std::size_t i = 0; i < loop.pieces().size(); ++i) {
+      const Exact_rational first(static_cast<unsigned long>(i));
+      if (!(range.first < first && first < range.second))
+        continue;
+      for (std::size_t j = 0; j < other.pieces().size(); ++j) {
+        const Exact_pair p = loop.pieces()[i].at(0), a = other.pieces()[j].at(0), d = exact_difference(other.pieces()[j].at(1), a);
+        const Exact_rational t = exact_dot(exact_difference(p, a), d) / exact_dot(d, d), parameter = t + static_cast<unsigned long>(j);
+        if (t > 0 && t < 1 && other_range.first < parameter && parameter < other_range.second && other.pieces()[j].at(t) == p)
+          origins.push_back(other.origin(parameter));
+      }
+    }
   }
 
   // \throws Invalid_input when it is not proved to be one rational point.
   template <class Meeting>
-  static std::array<std::pair<std::size_t, Exact_rational>, 2> origins_of_common_point(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
+  static std::vector<Origin> origins_of_common_point(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
   {
     std::array<Exact_rational, 2> parameters;
     for (std::size_t k = 0; k < 2; ++k)
