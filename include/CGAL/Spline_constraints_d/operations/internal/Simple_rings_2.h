@@ -295,6 +295,8 @@ private:
         continue;
       for (std::size_t j = 0; j < other.pieces().size(); ++j) {
         const Exact_pair p = loop.pieces()[i].at(0), a = other.pieces()[j].at(0), d = exact_difference(other.pieces()[j].at(1), a);
+        if (sign_of(exact_dot(d, d)) == 0)   // no segment
+          continue;
         const Exact_rational t = exact_dot(exact_difference(p, a), d) / exact_dot(d, d), parameter = t + static_cast<unsigned long>(j);
         if (t > 0 && t < 1 && other_range.first < parameter && parameter < other_range.second && other.pieces()[j].at(t) == p)
           origins.push_back(other.origin(parameter));
