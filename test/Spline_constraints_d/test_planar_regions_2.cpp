@@ -306,6 +306,13 @@ TEST(planar_regions_2, common_walls)
   // Below and above a part of a parabola.
   const auto arch = SC::bezier_curve<Exact_cartesian>({{0, 0}, {2, 4}, {4, 0}});
   expect_one_ring({arch, segment(b, a), arch.restricted(R(1) / 4, R(3) / 4), SC::polyline_curve(std::vector<Point>{{3, R(3) / 2}, {3, 3}, {1, 3}, {1, R(3) / 2}})}, R(23) / 3);
+  // The same with a wall in two pieces, at other speeds, and beside a drop of one piece, which ends where it begins.
+  expect_one_ring({arch, segment(b, a), arch.restricted(R(1) / 4, R(1) / 3), arch.restricted(R(1) / 3, R(3) / 4), SC::polyline_curve(std::vector<Point>{{3, R(3) / 2}, {3, 3}, {1, 3}, {1, R(3) / 2}})}, R(23) / 3);
+  const auto drop = SC::bezier_curve<Exact_cartesian>({{0, 0}, {4, -3}, {4, 3}, {0, 0}});
+  const Region beside_drop(Curves{drop, drop.restricted(R(1) / 8, R(1) / 3), drop.restricted(R(1) / 3, R(3) / 8), SC::polyline_curve(std::vector<Point>{drop(R(3) / 8), {4, -3}, {0, -3}, drop(R(1) / 8)})});
+  EXPECT_EQ(beside_drop.boundaries().size(), 1u);
+  EXPECT_EQ(beside_drop.bounded_side(drop(R(1) / 4)), CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(beside_drop.bounded_side(drop(R(3) / 4)), CGAL::ON_BOUNDARY);
   expect_invalid([&] { Region region(Curves{SC::bezier_curve<Exact_cartesian>({b, {4, 1}, c}), SC::polyline_curve(std::vector<Point>{c, d, a, b}), polygon({{4, 1}, {8, 1}, {8, 5}, {4, 5}})}); }, "meet in a common part");   // at different speeds
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Boundary_loop_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/chains_of_curves.h>
+#include <CGAL/Spline_constraints_d/operations/internal/inner_roots.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
 
 #include <algorithm>
@@ -267,7 +268,7 @@ private:
 
   using Origin = std::pair<std::size_t, Exact_rational>;   // a curve and its parameter
 
-  // On both curves, the ends of a common part, if these are rational, and of its straight pieces.
+  // On both curves, the ends of a common part, if these are rational, and of its pieces.
   template <class Meeting>
   static std::optional<std::vector<Origin>> origins_in_common_part(const Meeting& meeting, const std::array<const Boundary_loop_2*, 2>& loops)
   {
@@ -286,22 +287,37 @@ private:
     return result;
   }
 
-  // Where pieces of a loop within a range end in the inside of segments of another one.
+  // Where pieces of a loop within a range end in the inside of pieces of another one.
   static void append_ends_of_pieces(const Boundary_loop_2& loop, const Parameter_range& range, const Boundary_loop_2& other, const Parameter_range& other_range, std::vector<Origin>& origins)
   {
     for (std::size_t i = 0; i < loop.pieces().size(); ++i) {
       const Exact_rational first(static_cast<unsigned long>(i));
       if (!(range.first < first && first < range.second))
         continue;
-      for (std::size_t j = 0; j < other.pieces().size(); ++j) {
-        const Exact_pair p = loop.pieces()[i].at(0), a = other.pieces()[j].at(0), d = exact_difference(other.pieces()[j].at(1), a);
-        if (sign_of(exact_dot(d, d)) == 0)   // no segment
-          continue;
-        const Exact_rational t = exact_dot(exact_difference(p, a), d) / exact_dot(d, d), parameter = t + static_cast<unsigned long>(j);
-        if (t > 0 && t < 1 && other_range.first < parameter && parameter < other_range.second && other.pieces()[j].at(t) == p)
-          origins.push_back(other.origin(parameter));
-      }
+      for (std::size_t j = 0; j < other.pieces().size(); ++j)
+        for (const Exact_rational& t : rational_parameters(other.pieces()[j], loop.pieces()[i].at(0)))
+          if (const Exact_rational parameter = t + static_cast<unsigned long>(j); other_range.first < parameter && parameter < other_range.second)
+            origins.push_back(other.origin(parameter));
     }
+  }
+
+  // Those of a point in the inside of a piece, if they are rational.
+  static std::vector<Exact_rational> rational_parameters(const Boundary_piece& piece, const Exact_pair& point)
+  {
+    const auto& [x, y, w] = piece.coordinates;
+    const Exact_tensor dx = x - w * point[0], dy = y - w * point[1];
+    const auto is_beside = [](const Exact_tensor& f) {
+      const auto [least, most] = std::minmax_element(f.coefficients().begin(), f.coefficients().end());
+      return *least > 0 || *most < 0;
+    };
+    std::vector<Exact_rational> result;
+    if (is_beside(dx) || is_beside(dy))
+      return result;
+    const Exact_tensor& f = integer_polynomial(dx).is_zero() ? dy : dx;
+    for (const Exact_root& root : inner_roots(f, width_for_rational_roots(f)))
+      if (root.is_point() && piece.at(root.lower()) == point)
+        result.push_back(root.lower());
+    return result;
   }
 
   // \throws Invalid_input when it is not proved to be one rational point.

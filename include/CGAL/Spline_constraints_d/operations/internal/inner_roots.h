@@ -37,6 +37,13 @@ inline void narrow(Exact_root& root, const Exact_rational& width)
     root.halve();
 }
 
+// So small that rational roots are the simplest numbers in intervals around them: their denominators divide the leading coefficient.
+inline Exact_rational width_for_rational_roots(const Bernstein_tensor<Exact_rational>& f)
+{
+  const Integer_polynomial polynomial = integer_polynomial(f);
+  return quotient(Big_integer(1), Big_integer(2 * polynomial.leading_coefficient() * polynomial.leading_coefficient()));
+}
+
 /*
 The different roots of a polynomial in the open interval (0,1), in order, in intervals that are apart and at most of a given width; rational roots with short fractions are points. None of zero.
 */

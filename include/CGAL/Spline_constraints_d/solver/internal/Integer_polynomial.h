@@ -57,6 +57,9 @@ public:
   // -1 for the zero polynomial.
   int degree() const { return static_cast<int>(m_coefficients.size()) - 1; }
 
+  // \pre not zero
+  const Big_integer& leading_coefficient() const { return m_coefficients.back(); }
+
   friend bool operator==(const Integer_polynomial& a, const Integer_polynomial& b) { return a.m_coefficients == b.m_coefficients; }
 
   friend Integer_polynomial operator*(const Integer_polynomial& a, const Integer_polynomial& b)
