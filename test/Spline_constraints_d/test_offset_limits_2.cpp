@@ -105,15 +105,17 @@ TEST(OffsetLimits, LargeDistances)
   }
 }
 
-// A segment begins in the vertex of a parabola, as a tangent: the sector is not resolved next to that.
+// y = x^2 and y = x^4 + 1/4 touch where x^2 = 1/2, at parameters that are not rational: the sector is not resolved next to that.
 TEST(OffsetLimits, SectorOfCurvesThatTouch)
 {
-  const auto parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(0, 0), P(1, 0)});
-  const auto sector = SC::trimmed_alpha_sector(parabola, segment, 0.25), exchanged = SC::trimmed_alpha_sector(segment, parabola, 0.75), apart = SC::trimmed_alpha_sector(parabola, P(0.25, -1), 0.25);
+  const auto parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), quartic = bezier({P(-1, 1.25), P(-0.5, -0.75), P(0, 1.25), P(0.5, -0.75), P(1, 1.25)});
+  const auto sector = SC::trimmed_alpha_sector(parabola, quartic, 0.25), exchanged = SC::trimmed_alpha_sector(quartic, parabola, 0.75), apart = SC::trimmed_alpha_sector(parabola, P(0.25, -1), 0.25);
   EXPECT_FALSE(sector.is_complete());
-  EXPECT_TRUE(hold(sector.undecided(), 0, 0.5));
   EXPECT_FALSE(exchanged.is_complete());
-  EXPECT_TRUE(hold(exchanged.undecided(), 1, 0.5));
+  for (const double x : {-std::sqrt(0.5), std::sqrt(0.5)}) {
+    EXPECT_TRUE(hold(sector.undecided(), 0, (1 + x) / 2));
+    EXPECT_TRUE(hold(exchanged.undecided(), 1, (1 + x) / 2));
+  }
   EXPECT_TRUE(apart.is_complete());
   EXPECT_TRUE(apart.undecided().empty());
 }

@@ -306,6 +306,88 @@ TEST(TrimmedAlphaSectors, RandomCubicsThatCross)
   EXPECT_GT(inside, 20U);
 }
 
+// Samples are as far from both curves as points along these tell, chains are closed and go around what they should, and come to a common point. Returns how many points are inside.
+std::size_t check_curves_that_meet(const Curve& a, const Curve& b, double alpha, const P& common, const std::vector<P>& places)
+{
+  const Sector sector = SC::trimmed_alpha_sector(a, b, alpha);
+  EXPECT_TRUE(sector.is_complete());
+  double nearest = 1;
+  for (const auto& sample : samples(sector)) {
+    EXPECT_NEAR((1 - alpha) * sample.distances[0], alpha * sample.distances[1], 1e-9);
+    for (const std::size_t k : {0, 1})
+      EXPECT_NEAR(SC::distance_range(sample.point, k == 0 ? a : b).first, sample.distances[k], 1e-8);
+    nearest = (std::min)(nearest, distance(sample.point, common));
+  }
+  EXPECT_LT(nearest, 1e-12);
+  return check_sides(sector, alpha, {points_along(a), points_along(b)}, places)[0];
+}
+
+std::vector<P> random_places(std::mt19937& random, double first, double last)
+{
+  std::uniform_real_distribution<double> coordinate(first, last);
+  std::vector<P> result;
+  for (int i = 0; i < 150; ++i) {
+    const double x = coordinate(random);
+    result.emplace_back(x, coordinate(random));
+  }
+  return result;
+}
+
+// Curves that touch have chains on both sides of the first one, on both sides of the common point. Disks on axes of symmetry touch several things at once, as the common point.
+TEST(TrimmedAlphaSectors, CurvesThatTouch)
+{
+  std::mt19937 random(7);
+  const Curve parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(-1, 0), P(1, 0)}), line = bezier({P(-3, 0), P(4, 0)});
+  const Curve square = SC::polyline_curve(std::vector<P>{P(-1, -1), P(1, -1), P(1, 1), P(-1, 1), P(-1, -1)});
+  std::size_t inside = 0;
+  for (const double alpha : {0.125, 0.45, 0.75}) {
+    const auto check = [&](const Curve& a, const Curve& b, const P& common) { inside += check_curves_that_meet(a, b, alpha, common, random_places(random, -3, 4)); };
+    check(parabola, segment, P(0, 0));
+    check(parabola, bezier({P(0, 0), P(1, 0)}), P(0, 0));
+    check(circle(P(0, 0), 1), circle(P(3, 0), 2), P(1, 0));
+    check(circle(P(0, 0), 1), circle(P(1, 0), 2), P(-1, 0));
+    check(circle(P(0, 1), 1), line, P(0, 0));
+    check(square, circle(P(0, 0), 1), P(0, -1));
+  }
+  EXPECT_GT(inside, 100U);
+}
+
+// Cubics that leave a common end in one direction.
+TEST(TrimmedAlphaSectors, RandomCubicsWithACommonTangent)
+{
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> coordinate(0, 16), length(1, 6);
+  std::size_t inside = 0;
+  for (int run = 0; run < 8; ++run) {
+    std::vector<Curve> curves;
+    for (int k = 0; k < 2; ++k) {
+      const int s = length(random);
+      std::vector<P> control_points{P(0, 0), P(s, 2 * s)};
+      for (int i = 0; i < 2; ++i) {
+        const int x = coordinate(random);
+        control_points.emplace_back(x, coordinate(random));
+      }
+      curves.push_back(bezier(control_points));
+    }
+    inside += check_curves_that_meet(curves[0], curves[1], (run % 2 == 0 ? 3 : 11) / 16.0, P(0, 0), random_places(random, -4, 16));
+  }
+  EXPECT_GT(inside, 20U);
+}
+
+// The first curve touches itself, or turns back, away from the second one: no chains come there.
+TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
+{
+  std::mt19937 random(5);
+  const Curve cusp = bezier({P(0, 0), P(4, 4), P(0, 4), P(4, 0)});
+  std::size_t inside = 0;
+  for (const double alpha : {0.25, 0.75}) {
+    const Sector sector = SC::trimmed_alpha_sector(cusp, P(2, -2), alpha);
+    EXPECT_TRUE(sector.is_complete());
+    inside += check_sides(sector, alpha, {points_along(cusp), {P(2, -2)}}, random_places(random, -4, 8))[0];
+  }
+  EXPECT_GT(inside, 10U);
+}
+
 TEST(TrimmedAlphaSectors, BadInput)
 {
   const Curve segment = bezier({P(-1, 0), P(1, 0)});

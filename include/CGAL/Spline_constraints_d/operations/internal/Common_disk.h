@@ -50,7 +50,7 @@ public:
     }
     for (const Disk_branch& contact : contacts)
       if (!m_squared_radius)
-        m_squared_radius = contact.move ? squared_distance_from_end({contact.move->arc, contact.move->parameter == 1}) : squared_radius(contact.contact);
+        m_squared_radius = contact.move ? squared_radius_at_end({contact.move->arc, contact.move->parameter == 1}) : squared_radius(contact.contact);
   }
 
   // Whether it touches a part of a front, on the side of the normals.
@@ -71,7 +71,7 @@ public:
   {
     if (!m_squared_radius)
       return false;
-    const Exact_rational square = *m_squared_radius * squared_factor(located.contact);
+    const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.contact);
     if (located.contact.kind == Disk_contact::Kind::VERTEX)
       return touches(m_graph.vertices()[located.contact.index], square);
     return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range, square);
@@ -80,16 +80,14 @@ public:
   // Whether it touches an arc in its end: the center is on the perpendicular there.
   bool touches_end(const Arc_end& end) const
   {
-    if (!m_squared_radius || !m_graph.is_exact(end) || m_curvature.is_arc_scaled(end.arc))
+    if (!m_squared_radius || !m_graph.is_exact(end))
       return false;
     const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
-    return squared_distance_from(q) == *m_squared_radius && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
+    return squared_distance_from(q) == *m_squared_radius * squared_factor(m_curvature, arc_of(end)) && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
   }
 
 private:
-  bool is_scaled(const Disk_contact& contact) const { return contact.kind == Disk_contact::Kind::VERTEX ? m_curvature.is_vertex_scaled(contact.index) : contact.kind == Disk_contact::Kind::ARC && m_curvature.is_arc_scaled(contact.index); }
-
-  Exact_rational squared_factor(const Disk_contact& contact) const { return is_scaled(contact) ? m_curvature.scaled_sites()->squared_factor : Exact_rational(1); }
+  static Disk_contact arc_of(const Arc_end& end) { return {Disk_contact::Kind::ARC, end.arc}; }
 
   bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
 
@@ -106,21 +104,21 @@ private:
     return Exact_rational(area * area / exact_dot(d, d));
   }
 
-  // Of the point in which a contact goes over from an arc to the next one.
-  std::optional<Exact_rational> squared_distance_from_end(const Arc_end& end) const
+  // Of the disk that touches the point in which a contact goes over from an arc to the next one.
+  std::optional<Exact_rational> squared_radius_at_end(const Arc_end& end) const
   {
-    return m_graph.is_exact(end) && !m_curvature.is_arc_scaled(end.arc) ? std::optional(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter())))) : std::nullopt;
+    return m_graph.is_exact(end) ? std::optional(Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) / squared_factor(m_curvature, arc_of(end)))) : std::nullopt;
   }
 
   // The squared radius of the disk that touches a contact, if it is known to be rational.
   std::optional<Exact_rational> squared_radius(const Disk_contact& contact) const
   {
     if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
-      return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(contact));
+      return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(m_curvature, contact));
     if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
-      return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(contact));
+      return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(m_curvature, contact));
     if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].circle())
-      return squared_distance_from_circle(*m_graph.arcs()[contact.index].circle(), squared_factor(contact));
+      return squared_distance_from_circle(*m_graph.arcs()[contact.index].circle(), squared_factor(m_curvature, contact));
     return std::nullopt;
   }
 

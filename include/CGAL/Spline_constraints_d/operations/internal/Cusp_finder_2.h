@@ -18,6 +18,15 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
+// Whether an arc turns by less than a right angle, and its curvature as seen from a front is below some number.
+inline bool is_bent_less(const Site_graph_2& graph, const Front_part& part, std::size_t arc, double curvature)
+{
+  const Site_arc_2& x = graph.arcs()[arc];
+  const auto [tangent, change] = x.tangent_jet(part.range);
+  const Interval square = squared_norm(tangent), turn = dot(part.jet.normal, change), speed = x.has_singular_end() ? x.tangent_factor(part.range) : Interval(1);
+  return turns_by_less_than_right_angle(tangent) && (turn.sup() <= 0 || (square.inf() > 0 && speed.inf() > 0 && (turn / (speed * square * CGAL::sqrt(square))).sup() < curvature));
+}
+
 /*
 Settles the cusps between arcs that leave a vertex p in the same direction, as curves do that touch in p: these are too thin for any subdivision.
 
@@ -69,7 +78,7 @@ private:
     const double least = corner.least_curvature(own.is_end ? 1 - width : width);   // of all disks
     const Interval flat = Interval(least) / CGAL::sqrt(squared_norm(all.jet.normal));
     const auto range = contact_range(front, own, other, width, (std::min)(part_share * width, gap_share * cusp->gap));
-    if (!range || !is_below(all, own.arc, flat.inf()) || !is_below(m_curvature.part(other_front, *range), other.arc, flat.inf()) || !is_empty(own, all.jet.point, m_graph.arcs()[other.arc].point(*range)))
+    if (!range || !is_bent_less(m_graph, all, own.arc, flat.inf()) || !is_bent_less(m_graph, m_curvature.part(other_front, *range), other.arc, flat.inf()) || !is_empty(own, all.jet.point, m_graph.arcs()[other.arc].point(*range)))
       return std::nullopt;
     const int way = own.arc != other.arc ? 0 : own.is_end ? -1 : 1;
     return Located_contact{{Disk_contact::Kind::ARC, other.arc, way}, *range, least, corner};
@@ -88,15 +97,6 @@ private:
       result = united(result, candidate.range);
     }
     return candidates.empty() ? std::nullopt : std::optional(result);
-  }
-
-  // Whether an arc turns by less than a right angle, and its curvature as seen from a front is below some number.
-  bool is_below(const Front_part& part, std::size_t arc, double curvature) const
-  {
-    const Site_arc_2& x = m_graph.arcs()[arc];
-    const auto [tangent, change] = x.tangent_jet(part.range);
-    const Interval square = squared_norm(tangent), turn = dot(part.jet.normal, change), speed = x.has_singular_end() ? x.tangent_factor(part.range) : Interval(1);
-    return turns_by_less_than_right_angle(tangent) && (turn.sup() <= 0 || (square.inf() > 0 && speed.inf() > 0 && (turn / (speed * square * CGAL::sqrt(square))).sup() < curvature));
   }
 
   // Whether the pocket between two arcs holds no vertex.

@@ -38,9 +38,7 @@ struct Cusp_width
     if (!ratio || *ratio * to_rational(width) > 1)
       return std::nullopt;
     const Exact_rational longer = to_rational(width) * (1 + to_rational(most_error));   // ends of arcs may not be known exactly
-    const auto [x, y, w] = piece(graph, own, longer);
-    const auto [u, v, s] = piece(graph, other, *ratio * longer);
-    const Tensor dx = u * w - x * s, dy = v * w - y * s;
+    const auto [dx, dy, w, s] = difference(graph, own, other, longer, *ratio);
     const auto [ax, ay] = tangent(graph, own, longer);
     const bool is_regular = graph.is_regular(own);
     const Tensor square = dx * dx + dy * dy, numerator = (is_left ? ax * dy - ay * dx : ay * dx - ax * dy) * (w * s), denominator = is_regular ? square * (w * w) : square;
@@ -58,6 +56,27 @@ struct Cusp_width
     return result.curvature > 0 ? std::optional(result) : std::nullopt;
   }
 
+  // The same where distances from Y are divided by c > 1: the disk in X(u) with a radius of |D| / (c - 1), on either side of X, has Y(c u) inside when scaled. `share` is (c - 1) |N|, at least; there is no gap.
+  static std::optional<Cusp_width> of_scaled(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, const Interval& share, double width)
+  {
+    const auto ratio = ratio_of_speeds(graph, own, other);
+    const Exact_rational longer = to_rational(width) * (1 + to_rational(most_error));
+    if (!ratio || !graph.is_regular(own) || *ratio * longer > 1 - to_rational(most_error))
+      return std::nullopt;
+    const auto [dx, dy, w, s] = difference(graph, own, other, longer, *ratio);
+    const auto greatest = without_power(dx * dx + dy * dy);
+    const std::vector<Exact_rational> weights = (w * s).coefficients();
+    const Exact_rational weight = *std::min_element(weights.begin(), weights.end());
+    if (!greatest || sign_of(weight) <= 0)
+      return std::nullopt;
+    Cusp_width result{0, greatest->power / 2, 0};
+    Interval scale = share * interval_of(weight) / CGAL::sqrt(interval_of(greatest->bounds.second));
+    for (int i = 0; i < result.power; ++i)
+      scale *= Interval(width);
+    result.curvature = scale.inf();
+    return result.curvature > 0 ? std::optional(result) : std::nullopt;
+  }
+
 private:
   using Tensor = Bernstein_tensor<Exact_rational>;
 
@@ -70,6 +89,14 @@ private:
   };
 
   static Exact_rational to_rational(double x) { return Exact_rational(x); }
+
+  // Y(c u) - X(u) up to a width, times both weights, and these.
+  static std::array<Tensor, 4> difference(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, const Exact_rational& width, const Exact_rational& ratio)
+  {
+    const auto [x, y, w] = piece(graph, own, width);
+    const auto [u, v, s] = piece(graph, other, ratio * width);
+    return {u * w - x * s, v * w - y * s, w, s};
+  }
 
   // Where the arcs have the same speeds in units of their parameters.
   static std::optional<Exact_rational> ratio_of_speeds(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other)

@@ -53,7 +53,7 @@ public:
   // Of candidates. More would be needed only where disks nearly have the curvature of a curve along much of that; with 128 bits, what was proved in surveys needed less than 800.
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
-  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
+  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(curvature.scaled_sites() == nullptr ? cusps : nullptr) {}   // walls hide no scaled sites
 
   std::vector<Disk_candidate> all() const
   {

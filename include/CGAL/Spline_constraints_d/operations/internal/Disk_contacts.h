@@ -385,19 +385,20 @@ private:
 
   Interval maximum(const Front_part& part, const Located_contact& contact) const { return largest_curvature(m_graph, m_curvature, part, contact).curvature; }
 
+  Front_part end_of_front(bool end) const { return m_curvature.part(m_part.front, end ? Range{1, 1} : Range{0, 0}); }
+
   // Whether two branches are mirror images of each other in the normal at an end of the front, in which disks are so, too.
   bool are_mirrored_at_end(const Disk_branch& a, const Disk_branch& b, bool end) const
   {
-    if (a.move || b.move || a.contact.kind != Disk_contact::Kind::ARC || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+    if (a.move || b.move || a.contact.kind != Disk_contact::Kind::ARC || is_scaled(m_curvature, a.contact) != is_scaled(m_curvature, b.contact) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return false;
     const auto mirror = Reflection_2::in_line(m_graph.exact_point(m_front, end), m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)));
-    const double u = end ? 1 : 0;
-    const Front_part point = m_curvature.part(m_part.front, {u, u});
+    const Front_part point = end_of_front(end);
     const auto image = mirrored(m_graph, mirror, {a.contact, largest_curvature(m_graph, m_curvature, point, a).range}, b.contact);
     return image && is_only_maximum(m_graph, m_curvature, point, *image, b);
   }
 
-  // Whether the disk that touches the front in its begin or end touches an arc in an end of it, by exact computation: k_v = 0. Of a scaled one that is known only where normals are parallel.
+  // Whether the disk that touches the front in its begin or end touches an arc in an end of it, by exact computation: k_v = 0.
   bool is_touched_at_end(const Arc_end& other, bool end) const
   {
     if (!m_graph.is_exact(other) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
@@ -410,6 +411,8 @@ private:
   {
     const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), d = exact_difference(q, m_graph.exact_point(m_front, end));
     const Exact_rational nt = exact_dot(normal, tangent), dt = exact_dot(d, tangent), dd = exact_dot(d, d);
+    if (m_curvature.is_arc_scaled(arc) && sign_of(dt) != 0)   // k = nt / dt is the positive zero
+      return sign_of(nt) == sign_of(dt) && nt * nt * dd == (2 * exact_dot(normal, d) * nt + (m_curvature.scaled_sites()->squared_factor - 1) * exact_dot(normal, normal) * dt) * dt;
     if (m_curvature.is_arc_scaled(arc) || sign_of(dd) == 0)
       return sign_of(nt) == 0 && sign_of(dt) == 0;
     return nt * dd == 2 * exact_dot(normal, d) * dt;
@@ -418,15 +421,14 @@ private:
   // Of the disk that touches an arc where a branch has its maximum, if the parameter there is the simplest number.
   std::optional<Number_with_root> exact_curvature_in_arc(const Disk_branch& branch, bool end) const
   {
-    if (branch.move || !is_exact_arc(m_graph, branch.contact) || m_curvature.is_arc_scaled(branch.contact.index) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+    if (branch.move || !is_exact_arc(m_graph, branch.contact) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return std::nullopt;
     const Site_arc_2& arc = m_graph.arcs()[branch.contact.index];
     const Exact_rational v = simplest_rational_between(Exact_rational(branch.range.begin), Exact_rational(branch.range.end));
     const Exact_pair q = arc.at(v), &p = m_graph.exact_point(m_front, end);
-    const double u = end ? 1 : 0;
-    if (p == q || !is_touched(branch.contact.index, q, arc.derivative_at(v), end) || !is_only_maximum(m_graph, m_curvature, m_curvature.part(m_part.front, {u, u}), {branch.contact, branch.range}, branch))
+    if (p == q || !is_touched(branch.contact.index, q, arc.derivative_at(v), end) || !is_only_maximum(m_graph, m_curvature, end_of_front(end), {branch.contact, branch.range}, branch))
       return std::nullopt;
-    return curvature_of_disk_through(q, p, m_graph.exact_normal(m_front, Exact_rational(u)));
+    return curvature_of_disk_through(q, p, m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), squared_factor(m_curvature, branch.contact));
   }
 
   // The end of an arc that a branch touches there. It has one maximum, which is there if it is one.
@@ -434,9 +436,8 @@ private:
   {
     if (branch.move)
       return is_move_at_end(branch, end) ? std::optional(Arc_end{branch.move->arc, branch.move->parameter == 1}) : std::nullopt;
-    const double u = end ? 1 : 0;
     for (const bool is_end : {false, true})
-      if (const Arc_end other{branch.contact.index, is_end}; branch.contact.kind == Disk_contact::Kind::ARC && (is_end ? branch.range.end == 1 : branch.range.begin == 0) && is_touched_at_end(other, end) && at(m_curvature.part(m_part.front, {u, u}), other).dvv.sup() < 0)
+      if (const Arc_end other{branch.contact.index, is_end}; branch.contact.kind == Disk_contact::Kind::ARC && (is_end ? branch.range.end == 1 : branch.range.begin == 0) && is_touched_at_end(other, end) && at(end_of_front(end), other).dvv.sup() < 0)
         return other;
     return std::nullopt;
   }
@@ -446,9 +447,8 @@ private:
   {
     if (branch.move || !is_exact_arc(m_graph, branch.contact) || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return false;
-    const double u = end ? 1 : 0;
-    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(u));
-    return is_only_maximum(m_graph, m_curvature, m_curvature.part(m_part.front, {u, u}), {branch.contact, branch.range}, branch) &&
+    const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    return is_only_maximum(m_graph, m_curvature, end_of_front(end), {branch.contact, branch.range}, branch) &&
            touches_line(m_graph.arcs()[branch.contact.index], branch.range, m_graph.exact_point(m_front, end), {Exact_rational(-normal[1]), normal[0]});
   }
 
@@ -460,30 +460,30 @@ private:
       return inside;
     const auto touched = touched_end(branch, end);
     const bool is_elsewhere = touched && m_graph.arcs()[touched->arc].at(Exact_rational(touched->parameter())) != m_graph.exact_point(m_front, end);
-    return exact_curvature_at_end(is_elsewhere ? Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(*touched)} : branch.contact, end);
+    return exact_curvature_at_end(is_elsewhere ? Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of(*touched)} : branch.contact, end, squared_factor(m_curvature, touched ? Disk_contact{Disk_contact::Kind::ARC, touched->arc} : branch.contact));
   }
 
   // Of the disk that touches a contact and the end of the front, where it is known exactly: contacts are points, or in the inside of segments and circular arcs. Disks through that end itself have the curvature of the arc there.
-  std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end) const
+  std::optional<Number_with_root> exact_curvature_at_end(const Disk_contact& contact, bool end, const Exact_rational& factor) const
   {
     if (contact.kind == Disk_contact::Kind::NOTHING)
       return Number_with_root{};
     if (!m_front.is_fan && !m_graph.is_exact({m_front.object, end}))
       return std::nullopt;
-    if (!m_front.is_fan && contact == Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of({m_front.object, end})}) {
+    if (!m_front.is_fan && factor == 1 && contact == Disk_contact{Disk_contact::Kind::VERTEX, m_graph.vertex_of({m_front.object, end})}) {
       const Site_arc_2& own = m_graph.arcs()[m_front.object];
       const Exact_rational k = own.has_singular_end() ? Exact_rational(0) : own.curvature_at(Exact_rational(end ? 1 : 0));
       return own.has_singular_end() ? std::nullopt : std::optional(Number_with_root{m_front.is_reversed ? Exact_rational(-k) : k});
     }
     const Exact_pair &p = m_graph.exact_point(m_front, end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
-    if (contact.kind == Disk_contact::Kind::VERTEX && !m_curvature.is_vertex_scaled(contact.index) && m_graph.vertices()[contact.index].is_exact)
-      return curvature_of_disk_through(m_graph.vertices()[contact.index].exact_point, p, n);
-    if (contact.kind != Disk_contact::Kind::ARC || m_curvature.is_arc_scaled(contact.index))
+    if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
+      return curvature_of_disk_through(m_graph.vertices()[contact.index].exact_point, p, n, factor);
+    if (contact.kind != Disk_contact::Kind::ARC)
       return std::nullopt;
     const Site_arc_2& arc = m_graph.arcs()[contact.index];
     if (arc.is_straight())
-      return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n);
-    return arc.circle() ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
+      return curvature_of_disk_on_line(arc.at(0), arc.at(1), p, n, factor);
+    return arc.circle() && factor == 1 ? curvature_of_disk_on_circle(arc.circle()->first, arc.circle()->second, p, n) : std::nullopt;
   }
 
   Interval shift_from_middle() const { return interval_of<Interval>(m_part.range) - Interval(m_part.range.middle()); }

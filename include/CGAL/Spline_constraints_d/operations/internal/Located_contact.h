@@ -31,6 +31,19 @@ struct Disk_contact
   bool operator==(const Disk_contact&) const = default;
 };
 
+template <Enclosing_number Interval>
+bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_contact& contact)
+{
+  return contact.kind == Disk_contact::Kind::ARC ? curvature.is_arc_scaled(contact.index) : contact.kind == Disk_contact::Kind::VERTEX && curvature.is_vertex_scaled(contact.index);
+}
+
+// By which squared distances from a contact are divided.
+template <Enclosing_number Interval>
+Exact_rational squared_factor(const Basic_disk_curvature<Interval>& curvature, const Disk_contact& contact)
+{
+  return is_scaled(curvature, contact) ? curvature.scaled_sites()->squared_factor : Exact_rational(1);
+}
+
 // In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
 struct Corner_of_disks
 {

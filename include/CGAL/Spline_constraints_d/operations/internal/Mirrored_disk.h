@@ -19,7 +19,7 @@ namespace internal {
 /*
 Disks of symmetric drawings, with centers on axes of symmetry, that touch a front and several contacts at once; where these are need not be rational.
 
-Let a contact lie on the mirror image of the front. Any disk that touches the front and the image of that point is its own image, so that the branch of the contact has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
+Let a contact, which is not scaled, lie on the mirror image of the front. Any disk that touches the front and the image of that point is its own image, so that the branch of the contact has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
 an axis as well, its images in that axis too. Each branch has one maximum, which is the image if it holds it.
 */
 template <Enclosing_number Interval>
@@ -43,7 +43,8 @@ public:
   // Whether it is proved that one disk over the part touches all contacts, those that move in the end of an arc.
   bool touches_all() const
   {
-    if (m_curvature.scaled_sites() != nullptr)
+    const Front& front = m_graph.fronts()[m_part.front];
+    if (front.is_fan && m_curvature.is_vertex_scaled(front.object))
       return false;
     for (const Disk_branch& image : m_branches)
       if (const auto mirror = mirror_of_front(image))
@@ -63,7 +64,7 @@ private:
   // The reflection that maps the front to a contact.
   std::optional<Reflection_2> mirror_of_front(const Disk_branch& branch) const
   {
-    if (branch.move)
+    if (branch.move || is_scaled(m_curvature, branch.contact))
       return std::nullopt;
     for (const Reflection_2& mirror : reflections(m_graph, touched_on_front({}).contact, branch.contact))
       if (const auto image = mirrored(m_graph, mirror, touched_on_front(m_part.range), branch.contact); image && image->range.meets(branch.range))
@@ -121,12 +122,12 @@ private:
   bool is_tangent_to_joint(const Reflection_2& mirror, const Disk_branch& branch) const
   {
     const Arc_end end{branch.move->arc, branch.move->parameter == 1};
-    return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && m_graph.is_exact(end) && mirror.is_perpendicular(m_graph.vertices()[m_graph.vertex_of(end)].exact_point, m_graph.direction(end));
+    return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && m_graph.is_exact(end) && m_curvature.is_arc_scaled(end.arc) == m_curvature.is_vertex_scaled(m_graph.vertex_of(end)) && mirror.is_perpendicular(m_graph.vertices()[m_graph.vertex_of(end)].exact_point, m_graph.direction(end));
   }
 
   std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point, const Disk_branch& branch, const Front_part& part) const
   {
-    const auto image = branch.move ? std::nullopt : mirrored(m_graph, mirror, point, branch.contact);
+    const auto image = branch.move || is_scaled(m_curvature, point.contact) != is_scaled(m_curvature, branch.contact) ? std::nullopt : mirrored(m_graph, mirror, point, branch.contact);
     return image && is_only_maximum(m_graph, m_curvature, part, *image, branch) ? image : std::nullopt;
   }
 };

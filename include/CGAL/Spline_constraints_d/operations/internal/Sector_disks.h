@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Free_chains.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Sector_cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 
@@ -109,12 +110,6 @@ private:
             }};
   }
 
-  bool is_scaled(const Disk_stretch& stretch) const
-  {
-    const auto& [kind, index, side] = stretch.contact;
-    return kind == Disk_contact::Kind::ARC ? m_curvature.is_arc_scaled(index) : kind == Disk_contact::Kind::VERTEX && m_curvature.is_vertex_scaled(index);
-  }
-
   bool is_at_scaled_vertex(const Front& front, bool is_end) const { return !front.is_fan && m_curvature.is_vertex_scaled(m_graph->vertex_of({front.object, is_end})); }
 
   // The stretches that touch B, those that follow each other in one range.
@@ -131,12 +126,12 @@ private:
         result.undecided.push_back({known, stretch.range.begin});
       known = stretch.range.end;
       goes_on = goes_on && !is_unresolved;
-      if (is_scaled(stretch)) {
+      if (is_scaled(m_curvature, stretch.contact)) {
         if (!goes_on)
           result.free.push_back({end_at(front, i, false), {}});
         result.free.back()[1] = end_at(front, i, true);
       }
-      goes_on = is_scaled(stretch);
+      goes_on = is_scaled(m_curvature, stretch.contact);
     }
     if (stretches.empty() || stretches.back().events[1] == Disk_event::UNRESOLVED)
       result.undecided.push_back({known, 1});
@@ -170,10 +165,11 @@ Sector_disks sector_disks(std::shared_ptr<const Site_graph_2> graph, std::shared
   const Site_tree_2 tree(*graph, scaled->points(*graph));
   const Disk_curvature curvature(*graph, scaled.get());
   const auto fine_level = std::make_shared<const Fine_level>(*graph, scaled.get());
+  const Cusps_2 cusps = Sector_cusp_finder_2(*graph, curvature)(fronts);
   std::vector<std::vector<Disk_stretch>> stretches(graph->fronts().size());
   parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature, nullptr, fine_level.get())(fronts[i]);
+    stretches[fronts[i]] = Maximal_disks(*graph, tree, curvature, &cusps, fine_level.get())(fronts[i]);
   });
   return Sector_disks(std::move(graph), std::move(scaled), fine_level, fronts, std::move(stretches));
 }

@@ -64,13 +64,15 @@ Basic_compared_points<Interval> compared_points(const Basic_site_arc_2<Interval>
 }
 
 /*
-The difference of the curvatures of two contacts over a part of a front, where both are vertices that are known exactly, or on the same arc, one of them at an end or both inside; nothing is known of others.
+The difference of the curvatures of two contacts over a part of a front, where both are vertices that are known exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
 */
 template <Enclosing_number Interval>
 Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& a, const Located_contact& b)
 {
   using Kind = Disk_contact::Kind;
-  const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Kind::VERTEX && !curvature.is_vertex_scaled(c.index) && graph.vertices()[c.index].is_exact; };
+  if (is_scaled(curvature, a.contact) || is_scaled(curvature, b.contact))   // as a vertex may be, where an arc ends that is not
+    return {};
+  const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact; };
   const double u = part.range.middle();
   const Basic_front_part<Interval> middle = curvature.part(part.front, {u, u});
   const auto expansion = [&](const Basic_compared_points<Interval>& there, const Basic_compared_points<Interval>& throughout) {
@@ -82,7 +84,7 @@ Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_
   }
   const Basic_front<Interval>& front = graph.fronts()[part.front];
   const std::size_t arc = (a.contact.kind == Kind::ARC ? a : b).contact.index;
-  if ((a.contact.kind != Kind::ARC && b.contact.kind != Kind::ARC) || curvature.is_arc_scaled(arc) || (!front.is_fan && front.object == arc))
+  if ((a.contact.kind != Kind::ARC && b.contact.kind != Kind::ARC) || (!front.is_fan && front.object == arc))
     return {};
   // Where the contact is: over the part, and in its middle.
   const auto range = [&](const Located_contact& c, bool is_throughout) -> std::optional<Range> {

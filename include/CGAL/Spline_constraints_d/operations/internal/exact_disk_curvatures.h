@@ -40,16 +40,19 @@ inline std::optional<Number_with_root> greater_solution(const Exact_rational& a,
   return Number_with_root{Exact_rational(-b / a), Exact_rational(square_of_c / (a * a))};
 }
 
-inline std::optional<Number_with_root> curvature_of_disk_through(const Exact_pair& point, const Exact_pair& p, const Exact_pair& n)
+// With a factor greater than 1, disks that are scaled by its root pass through the point.
+inline std::optional<Number_with_root> curvature_of_disk_through(const Exact_pair& point, const Exact_pair& p, const Exact_pair& n, const Exact_rational& squared_factor)
 {
   const Exact_pair d{Exact_rational(point[0] - p[0]), Exact_rational(point[1] - p[1])};
+  if (squared_factor > 1)
+    return greater_solution(exact_dot(d, d), Exact_rational(-exact_dot(n, d)), Exact_rational(exact_dot(n, d) * exact_dot(n, d) + (squared_factor - 1) * exact_dot(n, n) * exact_dot(d, d)));
   return greater_solution(exact_dot(d, d), Exact_rational(-2 * exact_dot(n, d)), 0);
 }
 
-inline std::optional<Number_with_root> curvature_of_disk_on_line(const Exact_pair& begin, const Exact_pair& end, const Exact_pair& p, const Exact_pair& n)
+inline std::optional<Number_with_root> curvature_of_disk_on_line(const Exact_pair& begin, const Exact_pair& end, const Exact_pair& p, const Exact_pair& n, const Exact_rational& squared_factor)
 {
   const Exact_pair along{Exact_rational(end[0] - begin[0]), Exact_rational(end[1] - begin[1])}, d{Exact_rational(p[0] - begin[0]), Exact_rational(p[1] - begin[1])};
-  return greater_solution(exact_cross(along, d), exact_cross(along, n), Exact_rational(exact_dot(along, along) * exact_dot(n, n)));
+  return greater_solution(exact_cross(along, d), exact_cross(along, n), Exact_rational(exact_dot(along, along) * exact_dot(n, n) * squared_factor));
 }
 
 inline std::optional<Number_with_root> curvature_of_disk_on_circle(const Exact_pair& center, const Exact_rational& squared_radius, const Exact_pair& p, const Exact_pair& n)
