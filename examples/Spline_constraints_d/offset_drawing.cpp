@@ -6,6 +6,8 @@
 //   offset_drawing [DRAWING.svg [DISTANCE [NUMBER]]]
 //
 // Writes offset_drawing.svg, with the offsets at NUMBER multiples of DISTANCE in graded colors. Exit status: 0 when all of them are proved, 3 when a part is not, 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -36,8 +37,8 @@ int main(int argc, char* argv[])
 {
   try {
     const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "garden.svg");
-    const double distance = argc > 2 ? std::atof(argv[2]) : 2.1;
-    const int number = argc > 3 ? std::atoi(argv[3]) : 6;
+    const double distance = argc > 2 ? number_of<double>(argv[2]) : 2.1;
+    const int number = argc > 3 ? number_of<int>(argv[3]) : 6;
 
     CGAL::Bbox_2 box;
     for (const auto& curve : curves)

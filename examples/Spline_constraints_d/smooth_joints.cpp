@@ -6,6 +6,8 @@
 //   smooth_joints [DRAWING.svg [MOST_ANGLE]]
 //
 // Joints with an angle of at most MOST_ANGLE degrees, 2 if none is given, are made smooth. Writes smooth_joints.svg, with both axes. Exit status: 0 when all of them is proved, 3 when a part is not, 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
@@ -14,7 +16,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
@@ -25,7 +26,7 @@ int main(int argc, char* argv[])
 {
   try {
     const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "guitar.svg");
-    const double most_angle = (argc > 2 ? std::atof(argv[2]) : 2) * CGAL_PI / 180;
+    const double most_angle = (argc > 2 ? number_of<double>(argv[2]) : 2) * CGAL_PI / 180;
     const auto smooth = SC::with_smooth_joints<K>(curves, most_angle);
 
     const auto axis = SC::medial_axis(SC::planar_region(curves)), smooth_axis = SC::medial_axis(SC::planar_region(smooth.curves));

@@ -6,6 +6,8 @@
 //   trimmed_bisector [DRAWING.svg [CURVE OTHER_CURVE]]
 //
 // Curves are named by their numbers, in the order of the drawing. Writes trimmed_bisector.svg, with the trimmed bisector (red), the untrimmed one (gray), and some of the empty disks around its points that touch both curves (blue). Exit status: 0 when all of the bisector is proved, 3 when a part is not, 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
@@ -27,7 +29,7 @@ int main(int argc, char* argv[])
 {
   try {
     const auto curves = SC::IO::read_SVG_curves<K>(argc > 1 ? argv[1] : DATA_DIRECTORY "waves.svg");
-    const std::size_t first = argc > 3 ? std::stoul(argv[2]) : 0, second = argc > 3 ? std::stoul(argv[3]) : 1;
+    const std::size_t first = argc > 3 ? number_of<std::size_t>(argv[2]) : 0, second = argc > 3 ? number_of<std::size_t>(argv[3]) : 1;
     if (std::max(first, second) >= curves.size())
       throw SC::Invalid_input("the drawing has no more than " + std::to_string(curves.size()) + " curves");
     const auto &a = curves[first], &b = curves[second];

@@ -6,6 +6,8 @@
 //   visible_part [DRAWING.svg X Y]
 //
 // Writes visible_part.svg. Exit status: 0 when all is proved, 3 when a part is not, 2 for bad input.
+#include "arguments.h"
+
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
 #include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
@@ -14,7 +16,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <vector>
@@ -33,7 +34,7 @@ int main(int argc, char* argv[])
     const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin()), margin = size / 20;
     const Point low(box.xmin() - margin, box.ymin() - margin), high(box.xmax() + margin, box.ymax() + margin);
     curves.push_back(SC::polyline_curve(std::vector<Point>{low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}));
-    const Point viewpoint = argc > 3 ? Point(std::atof(argv[2]), std::atof(argv[3])) : Point(5, -30);
+    const Point viewpoint = argc > 3 ? Point(number_of<double>(argv[2]), number_of<double>(argv[3])) : Point(5, -30);
     const auto visible = SC::visible_part(viewpoint, curves);
 
     std::ofstream file("visible_part.svg");

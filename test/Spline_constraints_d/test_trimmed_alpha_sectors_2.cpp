@@ -372,6 +372,11 @@ TEST(TrimmedAlphaSectors, RandomCubicsWithACommonTangent)
     inside += check_curves_that_meet(curves[0], curves[1], (run % 2 == 0 ? 3 : 11) / 16.0, P(0, 0), random_places(random, -4, 16));
   }
   EXPECT_GT(inside, 20U);
+
+  // Where one begins on the other one, that goes on as before.
+  const Curve through = bezier({P(1, 8), P(7, 14), P(4, 3), P(15, 14)}), from = bezier({P(6.125, 9.125), P(8.875, 7.875), P(7, 16), P(9, 4)});
+  for (const double alpha : {0.375, 0.5625})
+    EXPECT_GT(check_curves_that_meet(through, from, alpha, P(6.125, 9.125), random_places(random, -4, 16)), 0U);
 }
 
 // The first curve touches itself, or turns back, away from the second one: no chains come there.

@@ -188,6 +188,8 @@ private:
   std::optional<Arc_end> next_on_side_of(const Front_part& part, const Arc_end& end) const
   {
     const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
+    if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end) ? m_scaled->continuation(m_graph, end) : std::nullopt)
+      return only;
     if (vertex.ends.size() > 2 && m_graph.is_exact(end)) {
       const Interval_pair tangent = m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()});
       const int side = certain_sign(dot(turned_left(tangent), part.jet.point - vertex.point)) * (end.is_end ? 1 : -1);

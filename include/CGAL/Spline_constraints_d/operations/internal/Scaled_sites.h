@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Site_graph_2.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,16 @@ struct Basic_scaled_sites
       for (const Arc_end& end : graph.vertices()[i].ends)
         result[i] = result[i] && !arcs[end.arc];
     return result;
+  }
+
+  // How an arc goes on smoothly in an exact vertex, whatever others are between on which the factor is another one: if there is no choice.
+  std::optional<Arc_end> continuation(const Site_graph_2& graph, const Arc_end& end) const
+  {
+    std::vector<Arc_end> before, after;
+    for (const Arc_end& other : graph.vertices()[graph.vertex_of(end)].ends)
+      if (const Exact_pair &p = graph.direction(end), &q = graph.direction(other); arcs[other.arc] == arcs[end.arc] && sign_of(exact_cross(p, q)) == 0)
+        (sign_of(exact_dot(p, q)) > 0 ? before : after).push_back(other);
+    return before.size() == 1 && after.size() == 1 ? std::optional(after[0]) : std::nullopt;
   }
 };
 
