@@ -339,6 +339,8 @@ TEST(TrimmedAlphaSectors, CurvesThatTouch)
   std::mt19937 random(7);
   const Curve parabola = bezier({P(-1, 1), P(0, -1), P(1, 1)}), segment = bezier({P(-1, 0), P(1, 0)}), line = bezier({P(-3, 0), P(4, 0)});
   const Curve square = SC::polyline_curve(std::vector<P>{P(-1, -1), P(1, -1), P(1, 1), P(-1, 1), P(-1, -1)});
+  const std::vector<P> round_outline{P(1, 0), P(2, 0), P(3, 0), P(4, 0), P(4, 1), P(4, 2), P(4, 3), P(4, 4), P(3, 4), P(2, 4), P(1, 4), P(0, 4), P(0, 3), P(0, 2), P(0, 1), P(0, 0), P(1, 0)};
+  const Curve rounded(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 8}, round_outline), rectangle = SC::polyline_curve(std::vector<P>{P(0, 0), P(4, 0), P(4, 4), P(0, 4), P(0, 0)});
   std::size_t inside = 0;
   for (const double alpha : {0.125, 0.45, 0.75}) {
     const auto check = [&](const Curve& a, const Curve& b, const P& common) { inside += check_curves_that_meet(a, b, alpha, common, random_places(random, -3, 4)); };
@@ -348,6 +350,7 @@ TEST(TrimmedAlphaSectors, CurvesThatTouch)
     check(circle(P(0, 0), 1), circle(P(1, 0), 2), P(-1, 0));
     check(circle(P(0, 1), 1), line, P(0, 0));
     check(square, circle(P(0, 0), 1), P(0, -1));
+    check(rounded, rectangle, P(1, 0));   // which have parts of their sides in common
   }
   EXPECT_GT(inside, 100U);
 }
