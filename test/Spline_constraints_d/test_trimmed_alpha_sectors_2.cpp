@@ -312,11 +312,14 @@ std::size_t check_curves_that_meet(const Curve& a, const Curve& b, double alpha,
   const Sector sector = SC::trimmed_alpha_sector(a, b, alpha);
   EXPECT_TRUE(sector.is_complete());
   double nearest = 1;
-  for (const auto& sample : samples(sector)) {
-    EXPECT_NEAR((1 - alpha) * sample.distances[0], alpha * sample.distances[1], 1e-9);
+  const Samples along = samples(sector);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    EXPECT_NEAR((1 - alpha) * along[i].distances[0], alpha * along[i].distances[1], 1e-9);
     for (const std::size_t k : {0, 1})
-      EXPECT_NEAR(SC::distance_range(sample.point, k == 0 ? a : b).first, sample.distances[k], 1e-8);
-    nearest = (std::min)(nearest, distance(sample.point, common));
+      if (i % 16 == 0) {   // these distances are found one by one
+        EXPECT_NEAR(SC::distance_range(along[i].point, k == 0 ? a : b).first, along[i].distances[k], 1e-8);
+      }
+    nearest = (std::min)(nearest, distance(along[i].point, common));
   }
   EXPECT_LT(nearest, 1e-12);
   return check_sides(sector, alpha, {points_along(a), points_along(b)}, places)[0];
@@ -326,7 +329,7 @@ std::vector<P> random_places(std::mt19937& random, double first, double last)
 {
   std::uniform_real_distribution<double> coordinate(first, last);
   std::vector<P> result;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const double x = coordinate(random);
     result.emplace_back(x, coordinate(random));
   }

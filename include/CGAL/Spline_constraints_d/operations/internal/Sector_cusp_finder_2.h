@@ -44,7 +44,7 @@ class Sector_cusp_finder_2
   Interval m_factor;            // c
 
 public:
-  Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_factor(CGAL::sqrt(curvature.scaled_sites()->excess + Interval(1))) {}
+  Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites())) {}
 
   Cusps_2 operator()(const std::vector<std::size_t>& fronts) const
   {
@@ -61,6 +61,12 @@ public:
   }
 
 private:
+  static Interval factor(const Scaled_sites& sites)
+  {
+    const Upward_rounding_guard guard;
+    return CGAL::sqrt(interval_of(sites.squared_factor));
+  }
+
   // Those that leave in the same direction, but not an arc behind, if it is the only one and not scaled.
   std::vector<Arc_end> others_beside(const Front& front, const Arc_end& own) const
   {
