@@ -105,10 +105,11 @@ private:
       return std::nullopt;
     if (!is_scaled)
       return Located_contact{};
-    const Front_part all = m_curvature.part(f, range_beside(own, own, width)), beside = m_curvature.part(front_facing(own, other), range_beside(own, other, width));
-    if (!is_bent_less(m_graph, all, own.arc, (Interval(1) / radius).inf()) || !is_bent_less(m_graph, beside, other.arc, (Interval(1) / (m_factor * radius)).inf()))
+    const Range range = range_beside(own, other, width);
+    const auto is_flat = [&](std::size_t front_of_other) { return is_bent_less(m_graph, m_curvature.part(front_of_other, range), other.arc, (Interval(1) / (m_factor * radius)).inf()); };
+    if (!is_bent_less(m_graph, m_curvature.part(f, range_beside(own, own, width)), own.arc, (Interval(1) / radius).inf()) || !is_flat(2 * other.arc) || !is_flat(2 * other.arc + 1))   // the order of arcs may not be known
       return std::nullopt;
-    return Located_contact{{Disk_contact::Kind::ARC, other.arc, 0}, beside.range, least, corner};
+    return Located_contact{{Disk_contact::Kind::ARC, other.arc, 0}, range, least, corner};
   }
 
   // About twice the width next to an end of an arc in the cusp: the rest of the arc is farther away than the disks.
@@ -116,13 +117,6 @@ private:
   {
     const auto squared_speed = [&](const Arc_end& e) { return CGAL::to_double(squared_norm(m_graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()}))); };
     return range_at(end, (std::min)(1.0, 2 * width * std::sqrt(squared_speed(own) / squared_speed(end))));
-  }
-
-  // The front of the other arc on the side of the cusp.
-  std::size_t front_facing(const Arc_end& own, const Arc_end& other) const
-  {
-    const Front& left = m_graph.fronts()[2 * own.arc];
-    return m_graph.front_across(m_graph.across_cusp(left, own) == other ? left : m_graph.fronts()[2 * own.arc + 1], own);
   }
 
   // Disks cannot touch anything but scaled sites if the arcs of the cusp are not scaled.
@@ -166,7 +160,7 @@ private:
     const Interval_pair normal = direction(disks.own) - direction(end);
     if (go_away(disks, normal))
       for (double width = 0.5; width >= least_width; width /= 2)
-        if (dot(outward_over(end, width), normal).sup() < 0)
+        if (dot(outward(end, m_graph.arcs()[end.arc].direction_over(range_at(end, width))), normal).sup() < 0)
           return range_at(end, width);
     return std::nullopt;
   }
@@ -174,15 +168,11 @@ private:
   // Whether in the direction of a normal each point of the front is farther from the vertex than its disk reaches.
   bool go_away(const Disks& disks, const Interval_pair& normal) const
   {
-    return m_graph.is_regular(disks.own) && (dot(outward_over(disks.own, disks.width), normal) * Interval(disks.width) - disks.reach * CGAL::sqrt(squared_norm(normal))).inf() > 0;
+    const Interval_pair derivative = outward(disks.own, m_graph.arcs()[disks.own.arc].jet(range_at(disks.own, disks.width), 1)[1]);
+    return (dot(derivative, normal) * Interval(disks.width) - disks.reach * CGAL::sqrt(squared_norm(normal))).inf() > 0;
   }
 
-  // In the direction of the derivative; that itself, where it is not zero in an end.
-  Interval_pair outward_over(const Arc_end& end, double width) const
-  {
-    const Interval_pair forward = m_graph.arcs()[end.arc].direction_over(range_at(end, width));
-    return end.is_end ? Interval_pair{-forward[0], -forward[1]} : forward;
-  }
+  static Interval_pair outward(const Arc_end& end, const Interval_pair& forward) { return end.is_end ? Interval_pair{-forward[0], -forward[1]} : forward; }
 
   // A unit vector, rounded.
   Interval_pair direction(const Arc_end& end) const
