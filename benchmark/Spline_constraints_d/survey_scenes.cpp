@@ -14,7 +14,7 @@
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
 // - bisectors: of two cubics in neighbouring squares; differing is what is not one chain. From scene 100 on, of two cubics in one square.
-// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples.
+// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples. From scene 40 on, of cubics that touch.
 // - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
@@ -40,6 +40,7 @@
 #include "polygon_area.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -435,10 +436,28 @@ Answer bisector(unsigned scene)
   return answer;
 }
 
+// Two with sixteenths as coordinates, the second of which begins in the begin of the first one, or in its middle, in the same direction; none if there is no direction.
+Curves touching_cubics(std::mt19937& random)
+{
+  const auto next_point = [&] { return CGAL::ORIGIN + (lattice_point(random, 12) - CGAL::ORIGIN) / 16; };
+  std::array<Point, 4> a;
+  for (Point& p : a)
+    p = next_point();
+  const bool is_in_middle = random() % 2 == 0;
+  const Point begin = is_in_middle ? a[0] + ((a[3] - a[0]) + 3 * (a[1] - a[0]) + 3 * (a[2] - a[0])) / 8 : a[0];
+  const Vector tangent = is_in_middle ? (a[3] - a[0]) + (a[2] - a[1]) : a[1] - a[0];
+  const Point second = begin + (1.0 + static_cast<double>(random() % 8)) / 4 * tangent, third = next_point(), last = next_point();
+  return tangent == CGAL::NULL_VECTOR ? Curves() : Curves{SC::bezier_curve(std::vector<Point>(a.begin(), a.end())), SC::bezier_curve(std::vector<Point>{begin, second, third, last})};
+}
+
 Answer sectors(unsigned scene)
 {
+  constexpr unsigned first_that_touch = 40;
   std::mt19937 random(scene);
-  const auto first = cubic(random, 0), second = cubic(random, 0);
+  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : touching_cubics(random);
+  if (curves.empty())
+    return Answer{false};
+  const auto &first = curves[0], &second = curves[1];
   const std::vector<Point> along_first = samples({first}, 2000), along_second = samples({second}, 2000);
   Answer answer;
   answer.is_complete = true;
@@ -448,7 +467,7 @@ Answer sectors(unsigned scene)
     answer.size += result.arcs().size();
     for (std::size_t i = 0; i < result.arcs().size(); ++i)
       for (const auto& sample : result.polyline(i, 0.1))
-        answer.is_differing = answer.is_differing || (sample.distances[0] + sample.distances[1] < 5 && (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 || std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
+        answer.is_differing = answer.is_differing || (result.is_complete() && sample.distances[0] + sample.distances[1] < 5 && (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 || std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
   }
   return answer;
 }
@@ -537,7 +556,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 40}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 240}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
