@@ -385,8 +385,8 @@ TEST(TrimmedAlphaSectors, RandomCubicsWithACommonTangent)
     EXPECT_GT(check_curves_that_meet(through, from, alpha, P(6.125, 9.125), random_places(random, -4, 16)), 0U);
 }
 
-// The first curve touches itself, or turns back, away from the second one: no chains come there.
-TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
+// The first curve turns back, away from the second one: no chains come there.
+TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
 {
   std::mt19937 random(5);
   const Curve cusp = bezier({P(0, 0), P(4, 4), P(0, 4), P(4, 0)});
