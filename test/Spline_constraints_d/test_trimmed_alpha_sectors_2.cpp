@@ -385,18 +385,46 @@ TEST(TrimmedAlphaSectors, RandomCubicsWithACommonTangent)
     EXPECT_GT(check_curves_that_meet(through, from, alpha, P(6.125, 9.125), random_places(random, -4, 16)), 0U);
 }
 
+// Sectors of a curve and a point that is not on it. Returns how many points are inside.
+std::size_t check_curve_and_point(const Curve& curve, const P& point, double alpha, const std::vector<P>& places)
+{
+  const Sector sector = SC::trimmed_alpha_sector(curve, point, alpha);
+  EXPECT_TRUE(sector.is_complete());
+  const Samples along = samples(sector);
+  EXPECT_GT(along.size(), 10U);
+  for (std::size_t i = 0; i < along.size(); i += 16) {
+    EXPECT_NEAR(SC::distance_range(along[i].point, curve).first, along[i].distances[0], 1e-8);
+    EXPECT_NEAR(distance(along[i].point, point), along[i].distances[1], 1e-8);
+    EXPECT_NEAR((1 - alpha) * along[i].distances[0], alpha * along[i].distances[1], 1e-9);
+  }
+  return check_sides(sector, alpha, {points_along(curve), {point}}, places)[0];
+}
+
 // The first curve turns back, away from the second one: no chains come there.
 TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
 {
   std::mt19937 random(5);
   const Curve cusp = bezier({P(0, 0), P(4, 4), P(0, 4), P(4, 0)});
   std::size_t inside = 0;
-  for (const double alpha : {0.25, 0.75}) {
-    const Sector sector = SC::trimmed_alpha_sector(cusp, P(2, -2), alpha);
-    EXPECT_TRUE(sector.is_complete());
-    inside += check_sides(sector, alpha, {points_along(cusp), {P(2, -2)}}, random_places(random, -4, 8))[0];
-  }
+  for (const double alpha : {0.25, 0.75})
+    inside += check_curve_and_point(cusp, P(2, -2), alpha, random_places(random, -4, 8));
   EXPECT_GT(inside, 10U);
+}
+
+// Four arcs of one curve meet in a point, two in each direction: beside it, those behind others are not touched, by disks of either operand.
+TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
+{
+  std::mt19937 random(5);
+  const Curve parabolas(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
+  const std::vector<P> loop{P(6, 11), P(5, 16), P(14, 2), P(8, 8), P(4, 12), P(9, 13), P(13, 15), P(17, 17), P(4, 12), P(8, 8), P(14, 2), P(8, 7), P(7, 11)};
+  const Curve cubics(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, loop);
+  std::size_t inside = 0;
+  for (const double alpha : {0.125, 0.25, 0.75}) {
+    for (const P& point : {P(0.25, 2.5), P(-2, 0.125), P(3, 0.5)})
+      inside += check_curve_and_point(parabolas, point, alpha, random_places(random, -3, 4));
+    inside += check_curve_and_point(cubics, P(1, 5), alpha, random_places(random, 0, 16));
+  }
+  EXPECT_GT(inside, 100U);
 }
 
 TEST(TrimmedAlphaSectors, BadInput)

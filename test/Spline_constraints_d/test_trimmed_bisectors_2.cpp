@@ -383,6 +383,23 @@ TEST(TrimmedBisectors, SelfBisectorOfALoop)
   expect_trimmed(bisector, {loop, loop});
 }
 
+// A point, whose normals are a circle, beside curves with cusps between them.
+TEST(TrimmedBisectors, PointBesideACurveThatTouchesItself)
+{
+  const Curve curve(2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3}, std::vector<P>{P(-1, 1), P(0, -1), P(1, 1), P(2.5, 0), P(1, -1), P(0, 1), P(-1, -1)});
+  const P point(0.25, 2.5);
+  const Bisector bisector = SC::trimmed_bisector(curve, point);
+  EXPECT_TRUE(bisector.is_complete());
+  ASSERT_EQ(bisector.chains().size(), 1U);
+  EXPECT_TRUE(ends_at_infinity(bisector, bisector.chains()[0]));
+  const Samples all = samples(bisector);
+  ASSERT_GT(all.size(), 20U);
+  for (const auto& sample : all) {
+    EXPECT_NEAR(SC::distance_range(sample.point, curve).first, sample.radius, 1e-8 * (1 + sample.radius));
+    EXPECT_NEAR(distance(sample.point, point), sample.radius, 1e-8 * (1 + sample.radius));
+  }
+}
+
 // A segment with a part of itself, and with a point on it: an area is as far from both.
 TEST(TrimmedBisectors, CoincidentOperands)
 {

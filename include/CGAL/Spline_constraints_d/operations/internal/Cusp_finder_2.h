@@ -56,7 +56,7 @@ public:
     return result;
   }
 
-private:
+  // That of a front which has a cusp at an end.
   Cusp_side side(std::size_t front, const Arc_end& own) const
   {
     const Arc_end other = *m_graph.across_cusp(m_graph.fronts()[front], own);
@@ -67,6 +67,7 @@ private:
     return {range_at(own, given_up_width), std::nullopt, other_front};
   }
 
+private:
   // The contact of all disks that touch the front nearer to the vertex than some width, if that is proved.
   std::optional<Located_contact> settled(std::size_t front, const Arc_end& own, const Arc_end& other, std::size_t other_front, double width) const
   {

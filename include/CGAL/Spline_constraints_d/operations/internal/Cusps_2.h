@@ -24,7 +24,7 @@ struct Cusp_side
 {
   Range range;
   std::optional<Located_contact> contact;
-  std::size_t other_front;   // which the disks touch
+  std::optional<std::size_t> other_front;   // which the disks touch, if no other front has disks that touch this one there
 };
 
 /*
@@ -60,13 +60,13 @@ public:
     return empty() ? none : m_sides[front][end];
   }
 
-  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above.
-  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above. A scaled disk does not touch the front, but has it inside: so there may be walls between.
+  bool hide(const Front_part& part, std::size_t arc, bool is_scaled, const Range& range, const Curve_jet& jet) const
   {
     if (empty())
       return false;
     for (const bool end : {false, true})
-      if (is_behind_wall(part, {arc, end}, range, jet[0]) || is_in_front_of(part, {arc, end}, range, jet))
+      if ((!is_scaled && is_behind_wall(part, {arc, end}, range, jet[0])) || is_in_front_of(part, {arc, end}, range, jet))
         return true;
     return false;
   }
@@ -105,8 +105,10 @@ private:
     const Front& front = m_graph.fronts()[part.front];
     const std::size_t vertex = m_graph.vertex_of(end);
     if (front.is_fan) {
+      if (front.object != vertex)
+        return false;
       const auto [first, second] = m_graph.ends_beside_fan(part.front);
-      return front.object == vertex && end != first && end != second;
+      return end != first && end != second;
     }
     for (const bool is_end : {false, true})
       if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(own, part.range, part.jet.point) && end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)))
@@ -125,7 +127,7 @@ private:
   {
     for (const bool is_right : {false, true})
       if (const std::size_t own = 2 * end.arc + is_right; part.front != own)
-        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->contact && settled->other_front != part.front && settled->range.begin <= range.begin && range.end <= settled->range.end)
+        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->contact && settled->other_front && *settled->other_front != part.front && settled->range.begin <= range.begin && range.end <= settled->range.end)
           if ((Interval(is_right ? -1 : 1) * height(part, end, range, jet)).inf() >= 0)
             return true;
     return false;

@@ -53,7 +53,7 @@ public:
   // Of candidates. More would be needed only where disks nearly have the curvature of a curve along much of that; with 128 bits, what was proved in surveys needed less than 800.
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
-  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(curvature.scaled_sites() == nullptr ? cusps : nullptr) {}   // walls hide no scaled sites
+  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
 
   std::vector<Disk_candidate> all() const
   {
@@ -93,7 +93,7 @@ public:
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
-    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet)); };
+    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, may_be_scaled(candidate), candidate.range, in_doubles(candidate.jet)); };
     const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (wanted != nullptr && is_too_low(candidate, *wanted, shift)) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.side_of_own_circle(part, points(candidate)) > 0); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others

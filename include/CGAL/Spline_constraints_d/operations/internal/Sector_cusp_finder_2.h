@@ -55,12 +55,25 @@ public:
         for (const bool is_end : {false, true}) {
           const Arc_end own{front.object, is_end};
           if (const std::vector<Arc_end> others = others_beside(front, own); !others.empty())
-            result.add(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, f});
+            result.add(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
         }
+    add_scaled_sides(result);
     return result;
   }
 
 private:
+  // Without a factor, disks in a cusp between scaled arcs touch these and no other front. A scaled disk that touches one of them on that side is a part of its disk there: it would have the front inside.
+  void add_scaled_sides(Cusps_2& result) const
+  {
+    const Site_tree_2 tree(m_graph);
+    const Cusp_finder_2 finder(m_graph, tree);
+    for (std::size_t f = 0; f < m_graph.fronts().size(); ++f)
+      for (const bool is_end : {false, true})
+        if (const Front& front = m_graph.fronts()[f]; !front.is_fan && m_curvature.is_arc_scaled(front.object))
+          if (const auto other = m_graph.across_cusp(front, {front.object, is_end}); other && m_curvature.is_arc_scaled(other->arc))
+            result.add(f, is_end, finder.side(f, {front.object, is_end}));
+  }
+
   static Interval factor(const Scaled_sites& sites)
   {
     const Upward_rounding_guard guard;
@@ -83,8 +96,8 @@ private:
   {
     for (double width = 0.5; width >= least_width; width /= 2)
       if (const auto contact = settled(front, own, other, width))
-        return {range_at(own, width), contact, front};
-    return {range_at(own, given_up_width), std::nullopt, front};
+        return {range_at(own, width), contact, std::nullopt};
+    return {range_at(own, given_up_width), std::nullopt, std::nullopt};
   }
 
   // The contact of all disks that touch the front nearer to the vertex than some width, if that is proved.
