@@ -400,7 +400,7 @@ std::size_t check_curve_and_point(const Curve& curve, const P& point, double alp
   return check_sides(sector, alpha, {points_along(curve), {point}}, places)[0];
 }
 
-// The first curve turns back, away from the second one: no chains come there.
+// A curve turns back, away from the point: no chains come there.
 TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
 {
   std::mt19937 random(5);
@@ -409,9 +409,16 @@ TEST(TrimmedAlphaSectors, CurveThatTurnsBack)
   for (const double alpha : {0.25, 0.75})
     inside += check_curve_and_point(cusp, P(2, -2), alpha, random_places(random, -4, 8));
   EXPECT_GT(inside, 10U);
+
+  // A straight one, which covers a part of itself twice: where it turns the derivative is zero, and disks go over from its side to the point.
+  const Curve straight = bezier({P(0, 0), P(12, 0), P(9, 0)});
+  inside = 0;
+  for (const double alpha : {0.125, 0.375, 0.75})
+    inside += check_curve_and_point(straight, P(10, 4), alpha, random_places(random, -4, 14));
+  EXPECT_GT(inside, 10U);
 }
 
-// Four arcs of one curve meet in a point, two in each direction: beside it, those behind others are not touched, by disks of either operand.
+// Four arcs of one curve meet in a point, two in each direction: beside it, and where the other curve comes there, those behind others are not touched, by disks of either operand.
 TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
 {
   std::mt19937 random(5);
@@ -423,6 +430,8 @@ TEST(TrimmedAlphaSectors, CurveThatTouchesItself)
     for (const P& point : {P(0.25, 2.5), P(-2, 0.125), P(3, 0.5)})
       inside += check_curve_and_point(parabolas, point, alpha, random_places(random, -3, 4));
     inside += check_curve_and_point(cubics, P(1, 5), alpha, random_places(random, 0, 16));
+    inside += check_curves_that_meet(parabolas, bezier({P(-1, -2), P(1, 2)}), alpha, P(0, 0), random_places(random, -3, 4));
+    inside += check_curves_that_meet(parabolas, bezier({P(0, 0), P(1, 2), P(2, 0), P(3, 3)}), alpha, P(0, 0), random_places(random, -3, 4));
   }
   EXPECT_GT(inside, 100U);
 }

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
 
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Scaled_sites.h>
 
 #include <algorithm>
 #include <array>
@@ -29,17 +30,18 @@ struct Cusp_side
 
 /*
 What is known next to vertices with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a contact with a third one. And what is settled in a cusp is touched in it by the disks of
-the two fronts there only: by others it is touched from behind.
+the two fronts there only: by others it is touched from behind. A scaled disk has the point inside in which the disk touches its front, and no scaled arcs, of which two are a wall if no other is between.
 */
 class Cusps_2
 {
   const Site_graph_2& m_graph;
+  const Scaled_sites* m_scaled;                                    // none, or some sites
   std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;   // of each front; none if there are no cusps
   std::map<std::size_t, double> m_squared_radii;                   // of the circles around vertices
   std::vector<std::array<double, 2>> m_reaches;                    // how far the ends of arcs go away from these
 
 public:
-  explicit Cusps_2(const Site_graph_2& graph) : m_graph(graph) {}
+  explicit Cusps_2(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 
   bool empty() const { return m_sides.empty(); }
 
@@ -60,13 +62,13 @@ public:
     return empty() ? none : m_sides[front][end];
   }
 
-  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above. A scaled disk does not touch the front, but has it inside: so there may be walls between.
-  bool hide(const Front_part& part, std::size_t arc, bool is_scaled, const Range& range, const Curve_jet& jet) const
+  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above.
+  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     if (empty())
       return false;
     for (const bool end : {false, true})
-      if ((!is_scaled && is_behind_wall(part, {arc, end}, range, jet[0])) || is_in_front_of(part, {arc, end}, range, jet))
+      if (is_behind_wall(part, {arc, end}, range, jet[0]) || is_in_front_of(part, {arc, end}, range, jet))
         return true;
     return false;
   }
@@ -105,15 +107,32 @@ private:
     const Front& front = m_graph.fronts()[part.front];
     const std::size_t vertex = m_graph.vertex_of(end);
     if (front.is_fan) {
-      if (front.object != vertex)
+      if (front.object != vertex || is_scaled(end))
         return false;
       const auto [first, second] = m_graph.ends_beside_fan(part.front);
       return end != first && end != second;
     }
+    const auto is_behind = [&](const Arc_end& own) { return is_scaled(end) ? !is_next_scaled(own, end) : end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)); };
     for (const bool is_end : {false, true})
-      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(own, part.range, part.jet.point) && end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)))
+      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
         return true;
     return false;
+  }
+
+  bool is_scaled(const Arc_end& end) const { return m_scaled != nullptr && m_scaled->arcs[end.arc]; }
+
+  // Whether an end is the next one around a vertex, on either side, of those that are scaled.
+  bool is_next_scaled(const Arc_end& own, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_graph.vertices()[m_graph.vertex_of(own)].ends;
+    const std::size_t n = ends.size(), first = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), own) - ends.begin());
+    const auto is_next = [&](std::size_t step) {
+      std::size_t i = (first + step) % n;
+      while (!is_scaled(ends[i]))
+        i = (i + step) % n;
+      return ends[i] == end;
+    };
+    return is_next(1) || is_next(n - 1);
   }
 
   // Whether the next arc leaves in the same direction on the other side of all others: chords do not lead there.

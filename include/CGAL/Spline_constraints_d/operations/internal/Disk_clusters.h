@@ -125,8 +125,12 @@ private:
     m_clusters = std::move(merged);
   }
 
-  // Disks that touch the front in one point are nested, and a line or circle meets the boundary of each in two points at most: whether those of its points through which there are disks of at least some positive curvature are connected.
-  bool are_connected(std::size_t arc) const { return m_least > 0 && m_graph.arcs()[arc].is_on_line_or_circle() && !m_graph.arcs()[arc].turns_back() && !m_curvature.is_arc_scaled(arc); }
+  // Disks that touch the front in one point are nested, also when they are scaled, and a line or circle meets the boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its points through which there are disks of at least some positive curvature are connected.
+  bool are_connected(std::size_t arc) const
+  {
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    return m_least > 0 && !y.turns_back() && (m_curvature.is_arc_scaled(arc) ? y.is_straight() : y.is_on_line_or_circle());
+  }
 
   // Also finds out about maxima in the ends.
   bool has_one_maximum(Cluster& cluster) const

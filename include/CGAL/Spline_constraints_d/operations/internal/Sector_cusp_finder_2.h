@@ -49,7 +49,7 @@ public:
   Cusps_2 operator()(const std::vector<std::size_t>& fronts) const
   {
     const Upward_rounding_guard guard;
-    Cusps_2 result(m_graph);
+    Cusps_2 result(m_graph, m_curvature.scaled_sites());
     for (const std::size_t f : fronts)
       if (const Front& front = m_graph.fronts()[f]; !front.is_fan)
         for (const bool is_end : {false, true}) {
