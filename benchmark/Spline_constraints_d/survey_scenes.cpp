@@ -14,7 +14,7 @@
 // - hulls: of up to 20 curves with small integers as coordinates, circles and copies; beside the support function of samples.
 // - kernels: of regions of quadratic and cubic pieces with integers as coordinates that turn around the origin; points a little inside see 400 tangents, and points a little outside do not.
 // - bisectors: of two cubics in neighbouring squares; differing is what is not one chain. From scene 100 on, of two cubics in one square.
-// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples. From scene 40 on, of cubics that touch.
+// - sectors: of two cubics in one square, with alpha from 1/8 to 7/8 but for 1/2; the distances of their points beside those from samples. From scene 40 on, of cubics that touch; from scene 240 on, of a chain that touches itself and a cubic.
 // - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
@@ -436,10 +436,12 @@ Answer bisector(unsigned scene)
   return answer;
 }
 
+Point point_in_sixteenths(std::mt19937& random) { return CGAL::ORIGIN + (lattice_point(random, 12) - CGAL::ORIGIN) / 16; }
+
 // Two with sixteenths as coordinates, the second of which begins in the begin of the first one, or in its middle, in the same direction; none if there is no direction.
 Curves touching_cubics(std::mt19937& random)
 {
-  const auto next_point = [&] { return CGAL::ORIGIN + (lattice_point(random, 12) - CGAL::ORIGIN) / 16; };
+  const auto next_point = [&] { return point_in_sixteenths(random); };
   std::array<Point, 4> a;
   for (Point& p : a)
     p = next_point();
@@ -450,11 +452,24 @@ Curves touching_cubics(std::mt19937& random)
   return tangent == CGAL::NULL_VECTOR ? Curves() : Curves{SC::bezier_curve(std::vector<Point>(a.begin(), a.end())), SC::bezier_curve(std::vector<Point>{begin, second, third, last})};
 }
 
+// A chain of four cubics, of which the fourth one begins where the second one does, with the same tangent or the opposite one; and another cubic.
+Curves chain_that_touches_itself_and_cubic(std::mt19937& random)
+{
+  const Point touched(0.375, 0.375);
+  const Vector tangent(static_cast<int>(random() % 5) - 2, 1 + static_cast<int>(random() % 2)), again = random() % 2 == 0 ? tangent : -tangent;
+  const auto speed = [&] { return (1.0 + static_cast<double>(random() % 3)) / 16; };
+  const auto next_point = [&] { return point_in_sixteenths(random); };
+  std::vector<Point> chain{next_point(), next_point(), touched - speed() * tangent, touched, touched + speed() * tangent, next_point(), next_point()};
+  chain.push_back(chain[6] + (chain[6] - chain[5]));
+  chain.insert(chain.end(), {touched - speed() * again, touched, touched + speed() * again, next_point(), next_point()});
+  return {SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, chain), SC::bezier_curve(std::vector<Point>{next_point(), next_point(), next_point(), next_point()})};
+}
+
 Answer sectors(unsigned scene)
 {
-  constexpr unsigned first_that_touch = 40;
+  constexpr unsigned first_that_touch = 40, first_that_touch_themselves = 240;
   std::mt19937 random(scene);
-  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : touching_cubics(random);
+  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : scene < first_that_touch_themselves ? touching_cubics(random) : chain_that_touches_itself_and_cubic(random);
   if (curves.empty())
     return Answer{false};
   const auto &first = curves[0], &second = curves[1];
@@ -556,7 +571,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 240}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
