@@ -69,7 +69,7 @@ The point belongs to the sector if no other point of the first curve is in that 
 
 Where curves meet, both distances are 0. The chains come to such a point, and leave it again on the other side of the first curve; pieces that are common to both curves are no part of the result.
 
-Where curves touch in a point, two arcs that leave it in the same direction have the sector on both sides of the first one; that is settled by expansions at the point, if its parameters are rational. Where these are not, or more than two arcs leave in the same direction, it is not resolved: `Trimmed_alpha_sector_2::is_complete()` is false, and `Trimmed_alpha_sector_2::undecided()` tells where. A crossing
+Where curves touch in a point, two arcs that leave it in the same direction have the sector on both sides of the first one; that is settled by expansions at the point, if its parameters are rational. Where these are not, or more than two arcs leave in the same direction, the sector is not resolved: `Trimmed_alpha_sector_2::is_complete()` is false, and `Trimmed_alpha_sector_2::undecided()` tells where. A crossing
 of the sector with both self-bisectors in one point is decided if it is on an axis of symmetry of what is touched, or if it is rational, and all sites there are points, lines and circles.
 
 \tparam Concurrency_tag `CGAL::Sequential_tag`; or `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`, to hand the sides of the curves to all cores through TBB. The answers are the same.
