@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated|smoothed [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -18,6 +18,7 @@
 // - visible: from a point, of which some are on curves, with up to 8 segments, circles and curves with small integers as coordinates; 200 rays beside chords of samples.
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
+// - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 // - smoothed: the same chains after with_smooth_joints().
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -169,12 +170,15 @@ bool has_narrow_bounds(const Vertex& vertex)
   return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
 }
 
-// Of a diagram of curves, which may be exact: the disks of samples of edges touch both sites, and none contains a sample of a curve.
+// Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, and none contains a point or a sample of a curve.
 template <class Given_curves>
-Answer answer_of_diagram(const Given_curves& given, const Curves& curves)
+Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const std::vector<Point>& points = {})
 {
   constexpr double error = 0.01, most_radius = 100, most_difference = 1e-8;
-  const auto diagram = SC::voronoi_diagram(given);
+  std::vector<typename Given_curves::value_type::Kernel::Point_2> given_points;
+  for (const Point& p : points)
+    given_points.emplace_back(p.x(), p.y());
+  const auto diagram = SC::voronoi_diagram(given, given_points);
   Answer answer;
   answer.is_complete = diagram.is_complete();
   answer.size = diagram.edges().size();
@@ -183,7 +187,8 @@ Answer answer_of_diagram(const Given_curves& given, const Curves& curves)
       ++answer.vertices;
       answer.bounded += has_narrow_bounds(vertex);
     }
-  const std::vector<Point> along = samples(curves, 500);
+  std::vector<Point> along = samples(curves, 500);
+  along.insert(along.end(), points.begin(), points.end());
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       const Point center = rounded(sample.point);
@@ -236,6 +241,51 @@ Answer small(unsigned scene)
     curves.push_back(SC::bezier_curve(points));
   }
   return answer_of_diagram(curves);
+}
+
+// Two chains of two quadratics each, which touch in their joints.
+Curves chains_that_touch(std::mt19937& random, int most)
+{
+  const Point joint = lattice_point(random, most);
+  const Vector tangent(static_cast<int>(random() % 3) - 1, 1);
+  Curves result;
+  for (const int length : {1, 2}) {
+    const Point first = lattice_point(random, most), last = lattice_point(random, most);
+    result.emplace_back(2, std::vector<double>{0, 0, 0, 1, 1, 2, 2, 2}, std::vector<Point>{first, joint - length * tangent, joint, joint + length * tangent, last});
+  }
+  return result;
+}
+
+Answer mixed(unsigned scene)
+{
+  constexpr int most = 8;
+  std::mt19937 random(scene);
+  Curves curves;
+  std::vector<Point> points, ends;
+  const auto end_of_site = [&] { return ends.empty() || random() % 5 < 3 ? lattice_point(random, most) : ends[random() % ends.size()]; };
+  const auto append = [&](const std::vector<Point>& control_points) {
+    if (std::adjacent_find(control_points.begin(), control_points.end()) == control_points.end())
+      curves.push_back(SC::bezier_curve(control_points));
+  };
+  for (unsigned count = 2 + random() % 5; count > 0; --count) {
+    const Point a = end_of_site(), b = end_of_site(), c = lattice_point(random, most), d = lattice_point(random, most);
+    switch (random() % 7) {
+    case 0: append({a, b}); break;
+    case 1: append({a, c, b}); break;
+    case 2: append({a, c, d, b}); break;
+    case 3: curves.push_back(SC::ellipse_curve(a, Vector(1 + static_cast<int>(random() % 3), 0), Vector(0, 1 + static_cast<int>(random() % 3)))); break;
+    case 4: points.push_back(a); break;
+    case 5:
+      if (!curves.empty())
+        curves.push_back(curves[random() % curves.size()]);
+      break;
+    default:
+      for (const auto& curve : chains_that_touch(random, most))
+        curves.push_back(curve);
+    }
+    ends.insert(ends.end(), {a, b});
+  }
+  return curves.empty() ? Answer{false} : answer_of_diagram(curves, curves, points);
 }
 
 // The points where pieces begin, and the tangents there: the control points of a closed chain of cubics.
@@ -571,7 +621,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -579,7 +629,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

@@ -169,6 +169,22 @@ TEST(CrossingCurves, TouchingArcs)
     expect_right(SC::voronoi_diagram(scene), scene, 1);
 }
 
+// Three arcs that begin in one point, of which the middle one hides the others from each other: at angles of 7 and 16 degrees, or with one tangent, as chains that touch each other in a joint, with a segment or another chain.
+TEST(CrossingCurves, ThreeArcsFromAPoint)
+{
+  const auto chain = [](const P& first, const P& joint, const CGAL::Vector_2<K>& tangent, const P& last) { return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {first, joint - tangent, joint, joint + tangent, last}); };
+  const P p(5, 8);
+  const Curves corner{bezier({P(5, 4), P(6, 0), P(3, 4), P(0, 6)}), bezier({P(0, 6), P(7, 0)}), bezier({P(0, 6), P(5.5, 4.25), P(3.75, 3.5), P(4, 3)})};
+  const Curves touching{chain(P(1, 8), p, {1, 1}, P(0, 3)), chain(P(1, 3), p, {2, 2}, P(4, 5)), bezier({p, P(7, 5)})};
+  const Curves three{chain(P(1, 4), p, {1, 0}, P(9, 4)), chain(P(1, 6), p, {1, 0}, P(9, 6)), chain(P(1, 7), p, {1, 0}, P(9, 7))};
+  for (const Curves& scene : {corner, touching, three}) {
+    const Diagram diagram = SC::voronoi_diagram(scene);
+    EXPECT_TRUE(diagram.is_complete());
+    expect_euler(diagram);
+    expect_empty_disks(diagram, scene, 0.2, 20);
+  }
+}
+
 // One site for the points that curves have in common: the second curve adds nothing.
 void expect_coincident(const Curves& curves, std::size_t parts, const Curves& without)
 {

@@ -40,19 +40,21 @@ class Cusp_finder_2
 
   const Site_graph_2& m_graph;
   Disk_curvature m_curvature;
-  Disk_candidates m_candidates;
+  Cusps_2 m_walls;
+  Disk_candidates m_candidates;   // not behind walls
 
 public:
-  Cusp_finder_2(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_curvature(graph), m_candidates(graph, tree, m_curvature) {}
+  Cusp_finder_2(const Site_graph_2& graph, const Site_tree_2& tree) : m_graph(graph), m_curvature(graph), m_walls(graph), m_candidates(graph, tree, m_curvature, &m_walls) {}
+  Cusp_finder_2(const Cusp_finder_2&) = delete;   // candidates know the walls of this one
 
   Cusps_2 operator()() const
   {
     const Upward_rounding_guard guard;
-    Cusps_2 result(m_graph);
-    for (std::size_t f = 0; f < m_graph.fronts().size(); ++f)
+    Cusps_2 result = m_walls;
+    for (std::size_t f = 0; result.has_cusps() && f < m_graph.fronts().size(); ++f)
       for (const bool end : {false, true})
         if (const Arc_end own{m_graph.fronts()[f].object, end}; !m_graph.fronts()[f].is_fan && m_graph.across_cusp(m_graph.fronts()[f], own))
-          result.add(f, end, side(f, own));
+          result.set_side(f, end, side(f, own));
     return result;
   }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CUSPS_2_H
 
+#include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Scaled_sites.h>
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,46 +29,61 @@ struct Cusp_side
 };
 
 /*
-What is known next to vertices with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a contact with a third one. And what is settled in a cusp is touched in it by the disks of
+What is known next to vertices with more than two arcs, or with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a contact with a third one. And what is settled in a cusp is touched in it by the disks of
 the two fronts there only: by others it is touched from behind. A scaled disk has the point inside in which the disk touches its front, and no scaled arcs, of which two are a wall if no other is between.
 */
 class Cusps_2
 {
+  struct Circle
+  {
+    double squared_radius = 0;
+    bool has_one_direction = false;   // in which all arcs leave the vertex
+  };
+
   const Site_graph_2& m_graph;
   const Scaled_sites* m_scaled;                                    // none, or some sites
-  std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;   // of each front; none if there are no cusps
-  std::map<std::size_t, double> m_squared_radii;                   // of the circles around vertices
+  std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;    // of each front; none if there are no cusps
+  bool m_has_cusps = false;
+  std::vector<Circle> m_circles;                                   // around each vertex; none if there are no walls
   std::vector<std::array<double, 2>> m_reaches;                    // how far the ends of arcs go away from these
 
 public:
-  explicit Cusps_2(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
-
-  bool empty() const { return m_sides.empty(); }
-
-  void add(std::size_t front, bool end, Cusp_side side)
+  // Knows the walls, and no sides.
+  explicit Cusps_2(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled)
   {
-    if (empty()) {
-      m_sides.resize(m_graph.fronts().size());
-      m_reaches.resize(m_graph.arcs().size());
-    }
+    const Upward_rounding_guard guard;
+    const auto is_cusp = [&](const Arc_end& a, const Arc_end& b) { return are_same_directions(graph.direction(a), graph.direction(b)); };
+    for (std::size_t v = 0; v < graph.vertices().size(); ++v)
+      if (const std::vector<Arc_end>& ends = graph.vertices()[v].ends; ends.size() > 1) {
+        const bool has_cusp = std::adjacent_find(ends.begin(), ends.end(), is_cusp) != ends.end();
+        m_has_cusps = m_has_cusps || has_cusp;
+        if (has_cusp || ends.size() > 2)
+          add_circle(v);
+      }
+  }
+
+  // Whether arcs leave any vertex in the same direction.
+  bool has_cusps() const { return m_has_cusps; }
+
+  void set_side(std::size_t front, bool end, Cusp_side side)
+  {
+    m_sides.resize(m_graph.fronts().size());
     m_sides[front][end] = std::move(side);
-    if (const std::size_t vertex = m_graph.vertex_of({m_graph.fronts()[front].object, end}); !m_squared_radii.contains(vertex))
-      add_circle(vertex);
   }
 
   const std::optional<Cusp_side>& side(std::size_t front, bool end) const
   {
     static const std::optional<Cusp_side> none;
-    return empty() ? none : m_sides[front][end];
+    return m_sides.empty() ? none : m_sides[front][end];
   }
 
   // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above.
   bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
-    if (empty())
+    if (m_circles.empty() || (!m_has_cusps && 0 < part.range.begin && part.range.end < 1))   // away from corners, curvatures tell
       return false;
     for (const bool end : {false, true})
-      if (is_behind_wall(part, {arc, end}, range, jet[0]) || is_in_front_of(part, {arc, end}, range, jet))
+      if (is_behind_wall(part, {arc, end}, range, jet[0]) || (!m_sides.empty() && is_in_front_of(part, {arc, end}, range, jet)))
         return true;
     return false;
   }
@@ -78,8 +93,11 @@ private:
   void add_circle(std::size_t vertex)
   {
     constexpr double least_reach = 0x1p-30;
+    m_circles.resize(m_graph.vertices().size());
+    m_reaches.resize(m_graph.arcs().size());
+    const std::vector<Arc_end>& ends = m_graph.vertices()[vertex].ends;
     double squared_radius = std::numeric_limits<double>::infinity();
-    for (const Arc_end& end : m_graph.vertices()[vertex].ends) {
+    for (const Arc_end& end : ends) {
       double& reach = m_reaches[end.arc][end.is_end] = 1;
       const auto goes_away = [&] { return turns_by_less_than_right_angle(m_graph.arcs()[end.arc].direction_over(range_at(end, reach))); };
       while (reach > least_reach && !goes_away())
@@ -89,32 +107,30 @@ private:
       if (!goes_away())
         squared_radius = 0;
     }
-    m_squared_radii[vertex] = squared_radius;
+    m_circles[vertex] = {squared_radius, are_same_directions(m_graph.direction(ends.front()), m_graph.direction(ends.back()))};
   }
 
   bool is_in_circle(const Arc_end& end, const Range& range, const Interval_pair& points) const
   {
     const std::size_t vertex = m_graph.vertex_of(end);
-    const auto circle = m_squared_radii.find(vertex);
     const Range reach = range_at(end, m_reaches[end.arc][end.is_end]);
-    return circle != m_squared_radii.end() && reach.begin <= range.begin && range.end <= reach.end && squared_norm(points - m_graph.vertices()[vertex].point).sup() < circle->second;
+    const double squared_radius = m_circles[vertex].squared_radius;
+    return squared_radius > 0 && reach.begin <= range.begin && range.end <= reach.end && squared_norm(points - m_graph.vertices()[vertex].point).sup() < squared_radius;
   }
 
   bool is_behind_wall(const Front_part& part, const Arc_end& end, const Range& range, const Interval_pair& points) const
   {
-    if (!is_in_circle(end, range, points))
-      return false;
     const Front& front = m_graph.fronts()[part.front];
     const std::size_t vertex = m_graph.vertex_of(end);
     if (front.is_fan) {
-      if (front.object != vertex || is_scaled(end))
+      if (front.object != vertex || is_scaled(end) || !is_in_circle(end, range, points))
         return false;
       const auto [first, second] = m_graph.ends_beside_fan(part.front);
       return end != first && end != second;
     }
     const auto is_behind = [&](const Arc_end& own) { return is_scaled(end) ? !is_next_scaled(own, end) : end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)); };
     for (const bool is_end : {false, true})
-      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
+      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(end, range, points) && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
         return true;
     return false;
   }
@@ -138,7 +154,8 @@ private:
   // Whether the next arc leaves in the same direction on the other side of all others: chords do not lead there.
   bool is_around_vertex(const Front& front, const Arc_end& own) const
   {
-    return !m_graph.across_cusp(front, own) && are_same_directions(m_graph.direction(own), m_graph.direction(m_graph.next_around_vertex(front, own)));
+    const std::size_t vertex = m_graph.vertex_of(own);
+    return m_circles[vertex].has_one_direction && m_graph.is_last_around_vertex(front, own);
   }
 
   // Whether the front is on that side of an arc on which this is settled.

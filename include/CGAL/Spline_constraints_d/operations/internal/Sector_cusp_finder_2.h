@@ -50,12 +50,14 @@ public:
   {
     const Upward_rounding_guard guard;
     Cusps_2 result(m_graph, m_curvature.scaled_sites());
+    if (!result.has_cusps())
+      return result;
     for (const std::size_t f : fronts)
       if (const Front& front = m_graph.fronts()[f]; !front.is_fan)
         for (const bool is_end : {false, true}) {
           const Arc_end own{front.object, is_end};
           if (const std::vector<Arc_end> others = others_beside(front, own); !others.empty())
-            result.add(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
+            result.set_side(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
         }
     add_scaled_sides(result);
     return result;
@@ -71,7 +73,7 @@ private:
       for (const bool is_end : {false, true})
         if (const Front& front = m_graph.fronts()[f]; !front.is_fan && m_curvature.is_arc_scaled(front.object))
           if (const auto other = m_graph.across_cusp(front, {front.object, is_end}); other && m_curvature.is_arc_scaled(other->arc))
-            result.add(f, is_end, finder.side(f, {front.object, is_end}));
+            result.set_side(f, is_end, finder.side(f, {front.object, is_end}));
   }
 
   static Interval factor(const Scaled_sites& sites)

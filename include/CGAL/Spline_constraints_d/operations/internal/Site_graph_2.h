@@ -217,10 +217,15 @@ public:
   // The end of the arc on the other side of the cusp in which a front ends: that arc leaves the vertex in the same direction, and nothing is between.
   std::optional<Arc_end> across_cusp(const Front& front, const Arc_end& end) const
   {
-    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
     const Arc_end& next = next_around_vertex(front, end);
-    const bool is_around = is_left_of_way_to(front, end) ? end == ends.front() : end == ends.back();   // where all arcs leave in one direction
-    return !is_around && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+    return !is_last_around_vertex(front, end) && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+  }
+
+  // Whether the next arc around the vertex is on the other side of all others, if all leave in one direction.
+  bool is_last_around_vertex(const Front& front, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
+    return end == (is_left_of_way_to(front, end) ? ends.front() : ends.back());
   }
 
   // That of the next arc around the vertex in which a front ends, on the side of the front; and the front on the other side of the angle between them.
@@ -233,8 +238,7 @@ public:
 
   std::size_t front_across(const Front& front, const Arc_end& end) const
   {
-    const Arc_end& next = next_around_vertex(front, end);
-    return is_left_of_way_to(front, end) ? departing(next) : arriving(next);
+    return is_left_of_way_to(front, end) ? departing(next_around_vertex(front, end)) : arriving(next_around_vertex(front, end));
   }
 
   // Those of the arcs on both sides of a fan.
