@@ -4,6 +4,8 @@
 // Voronoi diagrams of curves with lines that touch several of them at once, in ends, in joints, and elsewhere: edges go to infinity there. And of arcs that begin with curvature zero.
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -43,6 +45,17 @@ TEST(LinesAtInfinity, TangentsInJoints)
   Curves curves = parabola;
   curves.push_back(half_parabola(P(4, 0), 1));
   expect_far_edges(curves, 3);
+}
+
+// The half-plane right of a line touches an end, and two curves where these touch each other: two ellipses, one in the other, and chains, of which one is behind the other.
+TEST(LinesAtInfinity, TangentsWhereCurvesTouch)
+{
+  const auto ellipse = [](double height) { return SC::ellipse_curve(P(5, 2), {1, 0}, {0, height}); };
+  expect_far_edges({ellipse(3), ellipse(2), bezier({P(6, 8), P(5, 10)})}, 2);
+  const auto chain = [](const P& first, double length, const P& last) { return Curve(2, {0, 0, 0, 1, 1, 2, 2, 2}, {first, P(8, 4 - length), P(8, 4), P(8, 4 + length), last}); };
+  const Curves chains{chain(P(5, 4), 1, P(5, 6)), chain(P(4, 8), 2, P(7, 7))};
+  expect_far_edges({chains[0], chains[1], bezier({P(8, 0), P(6, 6)})}, 4);
+  expect_far_edges(chains, 4, {P(8, 9)});
 }
 
 // A box with corners of parabolas, on the axis.

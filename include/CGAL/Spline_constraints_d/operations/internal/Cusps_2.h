@@ -38,6 +38,7 @@ class Cusps_2
   {
     double squared_radius = 0;
     bool has_one_direction = false;   // in which all arcs leave the vertex
+    bool has_fan = false;             // so that disks touch the vertex not only where they are tangent to arcs
   };
 
   const Site_graph_2& m_graph;
@@ -60,6 +61,9 @@ public:
         if (has_cusp || ends.size() > 2)
           add_circle(v);
       }
+    for (const Front& front : graph.fronts())
+      if (front.is_fan && !m_circles.empty())
+        m_circles[front.object].has_fan = true;
   }
 
   // Whether arcs leave any vertex in the same direction.
@@ -77,13 +81,13 @@ public:
     return m_sides.empty() ? none : m_sides[front][end];
   }
 
-  // Whether no disk that touches a part of a front touches a range of an arc, for the reasons above.
-  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  // Whether no disk that touches a part of a front, and has some curvature, touches a range of an arc, for the reasons above.
+  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval& curvature) const
   {
     if (m_circles.empty() || (!m_has_cusps && 0 < part.range.begin && part.range.end < 1))   // away from corners, curvatures tell
       return false;
     for (const bool end : {false, true})
-      if (is_behind_wall(part, {arc, end}, range, jet[0]) || (!m_sides.empty() && is_in_front_of(part, {arc, end}, range, jet)))
+      if (is_behind_wall(part, {arc, end}, range, jet[0]) || (!m_sides.empty() && is_in_front_of(part, {arc, end}, range, jet, curvature)))
         return true;
     return false;
   }
@@ -158,15 +162,28 @@ private:
     return m_circles[vertex].has_one_direction && m_graph.is_last_around_vertex(front, own);
   }
 
-  // Whether the front is on that side of an arc on which this is settled.
-  bool is_in_front_of(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  // Whether the disks would be on that side of an arc on which this is settled.
+  bool is_in_front_of(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
   {
     for (const bool is_right : {false, true})
       if (const std::size_t own = 2 * end.arc + is_right; part.front != own)
         if (const auto& settled = m_sides[own][end.is_end]; settled && settled->contact && settled->other_front && *settled->other_front != part.front && settled->range.begin <= range.begin && range.end <= settled->range.end)
-          if ((Interval(is_right ? -1 : 1) * height(part, end, range, jet)).inf() >= 0)
+          if (const Interval side(is_right ? -1 : 1); (side * height(part, end, range, jet)).inf() >= 0 || (is_touched_as_arc(end, range) && (side * normal(part, end, range, jet, curvature)).inf() > 0))
             return true;
     return false;
+  }
+
+  // Whether disks that touch a range of an arc are tangent to it: where it ends in a vertex with a fan, it may stand for the vertex.
+  bool is_touched_as_arc(const Arc_end& end, const Range& range) const
+  {
+    return !range.meets({end.parameter(), end.parameter()}) || !m_circles[m_graph.vertex_of(end)].has_fan;
+  }
+
+  // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where the front is on a tangent of the arc.
+  Interval normal(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  {
+    const Interval_pair way = jet[0] - part.jet.point;
+    return dot(turned_left(tangent(end, range, jet)), part.jet.normal - Interval_pair{curvature * way[0], curvature * way[1]});
   }
 
   // The sign of that of a front over the tangents of an arc: in the end of the arc itself it is that of the curvature.
@@ -178,7 +195,13 @@ private:
       const auto [tangent, change] = arc.tangent_jet(united(range, {end.parameter(), end.parameter()}));
       return dot(turned_left(tangent), change);
     }
-    return dot(turned_left(arc.has_singular_end() ? arc.direction_over(range) : jet[1]), part.jet.point - jet[0]);
+    return dot(turned_left(tangent(end, range, jet)), part.jet.point - jet[0]);
+  }
+
+  Interval_pair tangent(const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  {
+    const Site_arc_2& arc = m_graph.arcs()[end.arc];
+    return arc.has_singular_end() ? arc.direction_over(range) : jet[1];
   }
 };
 

@@ -93,7 +93,7 @@ public:
     if (circle)
       attained = {m_curvature.of_own_circle(middle)->value, circle->du, circle->value.inf()};
     attained.least = (std::max)({attained.least, known_least, m_singular_ends.own_curvature(part)});
-    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet)); };
+    const auto is_hidden = [&](const Disk_candidate& candidate) { return m_cusps != nullptr && candidate.kind == Disk_candidate::Kind::ARC && m_cusps->hide(in_doubles(part), candidate.index, candidate.range, in_doubles(candidate.jet), in_doubles(candidate.bounds.value)); };
     const auto is_low = [&](const Disk_candidate& candidate) { return is_too_low(candidate, attained, shift) || (wanted != nullptr && is_too_low(candidate, *wanted, shift)) || is_hidden(candidate) || (!may_be_scaled(candidate) && m_singular_ends.is_behind(part, candidate)) || (circle && !may_be_scaled(candidate) && m_curvature.side_of_own_circle(part, points(candidate)) > 0); };
     std::vector<Disk_candidate> pool, parts = std::move(candidates);
     std::priority_queue<std::pair<double, std::size_t>> open;   // those that may be touched by the smallest disks first: what they attain excludes others
