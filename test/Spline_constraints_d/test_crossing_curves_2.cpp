@@ -177,7 +177,8 @@ TEST(CrossingCurves, ThreeArcsFromAPoint)
   const Curves corner{bezier({P(5, 4), P(6, 0), P(3, 4), P(0, 6)}), bezier({P(0, 6), P(7, 0)}), bezier({P(0, 6), P(5.5, 4.25), P(3.75, 3.5), P(4, 3)})};
   const Curves touching{chain(P(1, 8), p, {1, 1}, P(0, 3)), chain(P(1, 3), p, {2, 2}, P(4, 5)), bezier({p, P(7, 5)})};
   const Curves three{chain(P(1, 4), p, {1, 0}, P(9, 4)), chain(P(1, 6), p, {1, 0}, P(9, 6)), chain(P(1, 7), p, {1, 0}, P(9, 7))};
-  for (const Curves& scene : {corner, touching, three}) {
+  const Curves flat{bezier({P(-2, 0), P(3, 0)}), bezier({P(-2, 0), P(-1, 0), P(-3, 0), P(1, 1)}), bezier({P(-2, 0), P(-1, 0), P(4, 3)})};   // two of the arcs have the curvature zero there
+  for (const Curves& scene : {corner, touching, three, flat}) {
     const Diagram diagram = SC::voronoi_diagram(scene);
     EXPECT_TRUE(diagram.is_complete());
     expect_euler(diagram);

@@ -517,7 +517,8 @@ TEST(VoronoiDiagrams, NamesWhatIsUndecided)
   const Curves curves{bezier({P(-1, 1), P(0, -1), P(1, 1)})};
   const Diagram diagram = SC::voronoi_diagram(curves, {P(0, 1)});
   EXPECT_FALSE(diagram.is_complete());
-  EXPECT_TRUE(std::any_of(diagram.undecided().begin(), diagram.undecided().end(), [](const SC::Undecided_part_2& part) { return part.curve == 0 && part.from <= 0.5 && 0.5 <= part.to; }));
+  const std::vector<SC::Undecided_part_2> parts = diagram.undecided();
+  EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [](const SC::Undecided_part_2& part) { return part.curve == 0 && part.from <= 0.5 && 0.5 <= part.to; }));
   expect_empty_disks(diagram, curves);   // what is there is right
   EXPECT_TRUE(SC::voronoi_diagram(curves).undecided().empty());
 }

@@ -75,6 +75,7 @@ private:
 
   std::shared_ptr<const Model> m_model;
   std::vector<Boundary> m_boundaries;
+  std::vector<CGAL::Bbox_2> m_undecided;
 
 public:
 #ifndef DOXYGEN_RUNNING
@@ -90,6 +91,8 @@ public:
     m_model = std::make_shared<const Model>(std::move(a), std::move(b));
     for (const Chain& chain : m_model->boundary.chains())
       m_boundaries.push_back(boundary(chain));
+    for (const internal::Interval_pair& box : m_model->boundary.undecided())
+      m_undecided.emplace_back(box[0].inf(), box[1].inf(), box[0].sup(), box[1].sup());
   }
 #endif
 
@@ -97,16 +100,10 @@ public:
   const std::vector<Boundary>& boundaries() const { return m_boundaries; }
 
   //! whether these are all, by proof.
-  bool is_complete() const { return m_model->boundary.undecided().empty(); }
+  bool is_complete() const { return m_undecided.empty(); }
 
   //! boxes outside of which the boundaries are proved. Within them there may be others, or an arc may be inside of the sum.
-  std::vector<CGAL::Bbox_2> undecided() const
-  {
-    std::vector<CGAL::Bbox_2> result;
-    for (const internal::Interval_pair& box : m_model->boundary.undecided())
-      result.emplace_back(box[0].inf(), box[1].inf(), box[0].sup(), box[1].sup());
-    return result;
-  }
+  const std::vector<CGAL::Bbox_2>& undecided() const { return m_undecided; }
 
   //! whether a point is inside of the sum; indeterminate on the boundary, and where it is not decided. This does not use the boundaries.
   CGAL::Uncertain<bool> has_in_interior(const Point& point) const

@@ -158,13 +158,16 @@ private:
   std::vector<std::size_t> m_halfedge_of_edge, m_edge_of_halfedge;
   std::vector<std::vector<std::size_t>> m_halfedges_of_site;
   std::vector<char> m_is_undecided;   // of each site: whether some of its cell is
+  std::vector<Undecided_part_2> m_undecided;
+  std::vector<Voronoi_coincidence_2> m_coincident_parts;
   std::size_t m_number_of_regions = 0;
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph)
+  Voronoi_diagram_2(std::shared_ptr<const internal::Site_graph_2> graph, std::shared_ptr<const internal::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph), m_undecided(internal::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
   {
     const Upward_rounding_guard guard;
+    make_coincident_parts();
     make_sites();
     make_vertices();
     make_edges();
@@ -176,16 +179,7 @@ public:
   const std::vector<Site>& sites() const { return m_sites; }
 
   //! what curves have in common, for each two of them: pieces of the same points are one site, that of the curve with the lowest index.
-  std::vector<Voronoi_coincidence_2> coincident_parts() const
-  {
-    std::vector<Voronoi_coincidence_2> result;
-    for (const auto& [curves, overlap] : m_graph->coincident_parts()) {
-      result.push_back({curves, {}, overlap.is_reversed});
-      for (std::size_t k = 0; k < 2; ++k)
-        result.back().parameters[k] = {to_nearest_double(overlap.parameters[k].first), to_nearest_double(overlap.parameters[k].second)};
-    }
-    return result;
-  }
+  const std::vector<Voronoi_coincidence_2>& coincident_parts() const { return m_coincident_parts; }
 
   //! the vertices.
   const std::vector<Vertex>& vertices() const { return m_vertices; }
@@ -200,7 +194,7 @@ public:
   bool is_complete() const { return m_diagram->is_complete(); }
 
   //! the parts of curves beside which disks are not decided, or edges not connected, in order; none if the diagram is complete, and some if it is not. A part that belongs to an isolated point has no curve: the greatest index.
-  std::vector<Undecided_part_2> undecided() const { return internal::undecided_parts(*m_graph, m_diagram->unresolved_parts()); }
+  const std::vector<Undecided_part_2>& undecided() const { return m_undecided; }
 
   //! the sites that are on a curve: its pieces, and the points where these end. Of a part that is also on a curve of a lower index, there are only the ends: see `coincident_parts()`.
   std::vector<std::size_t> sites_of_curve(std::size_t curve) const
@@ -317,6 +311,15 @@ private:
 
   static CGAL::Bbox_2 box(const internal::Interval_pair& center) { return {center[0].inf(), center[1].inf(), center[0].sup(), center[1].sup()}; }
   static std::array<double, 2> ends(const internal::Interval& x) { return {x.inf(), x.sup()}; }
+
+  void make_coincident_parts()
+  {
+    for (const auto& [curves, overlap] : m_graph->coincident_parts()) {
+      m_coincident_parts.push_back({curves, {}, overlap.is_reversed});
+      for (std::size_t k = 0; k < 2; ++k)
+        m_coincident_parts.back().parameters[k] = {to_nearest_double(overlap.parameters[k].first), to_nearest_double(overlap.parameters[k].second)};
+    }
+  }
 
   void make_sites()
   {
