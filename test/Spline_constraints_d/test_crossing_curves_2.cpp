@@ -186,6 +186,25 @@ TEST(CrossingCurves, ThreeArcsFromAPoint)
   }
 }
 
+// Common axes of curves that cross at parameters which are not rational: a disk with its center on one touches two arcs that end there, and a third one.
+TEST(CrossingCurves, SymmetricCurves)
+{
+  const auto ellipse = [](double y, double a, double b) { return SC::ellipse_curve(P(0, y), {a, 0}, {0, b}); };
+  const Curves ellipses{ellipse(0, 1, 3), ellipse(0, 3, 1)};
+  const Diagram four = SC::voronoi_diagram(ellipses);
+  expect_right(four, ellipses, 1);
+  // The disk around (x, 0) that touches the second one in two points has r^2 = 1 - x^2/8, and r = x - 1 if it touches the first one, too.
+  EXPECT_EQ(std::count_if(four.vertices().begin(), four.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && std::abs(v.radius - 7. / 9) < 1e-12 && std::abs(distance(v.point, P(0, 0)) - 16. / 9) < 1e-12; }), 4);
+  // Joints on the axis, of a circle and of two segments; the tangent there is perpendicular to it, or not.
+  const Curves round{ellipse(0, 1, 3), ellipse(4, 2, 2)}, straight{ellipse(0, 1, 3), bezier({P(-2, 2), P(0, 2)}), bezier({P(0, 2), P(2, 2)})};
+  const Curves bent{ellipse(0, 1, 3), bezier({P(-2, 4), P(0, 2)}), bezier({P(0, 2), P(2, 4)})}, parabolas{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 0), P(0, 6), P(2, 0)})};
+  for (const Curves& scene : {round, straight, bent, parabolas}) {
+    const Diagram diagram = SC::voronoi_diagram(scene);
+    expect_right(diagram, scene, 1);
+    EXPECT_TRUE(std::any_of(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_resolved && v.edges.size() > 2 && std::abs(v.point.x()) < 1e-9; }));
+  }
+}
+
 // One site for the points that curves have in common: the second curve adds nothing.
 void expect_coincident(const Curves& curves, std::size_t parts, const Curves& without)
 {

@@ -248,15 +248,19 @@ TEST(VoronoiDiagrams, HalfPlanesThatTouchThreeCircles)
 
 TEST(VoronoiDiagrams, HalfPlanesThatTouchCopies)
 {
-  // Three copies of a curve in a row: above, where they are touched is not rational; below, they are touched in their last points, and the first one also in both of its ends.
+  // Three copies of a curve in a row: above, where they are touched is not rational; below, they are touched in their last points, and the first one also in both of its ends. So it is if a segment cuts one of them at a parameter that is not rational.
   Curves copies;
   for (const double k : {0, 1, 2})
     copies.push_back(bezier({P(6 * k, k), P(6 * k + 1, k + 2), P(6 * k + 3, k + 3), P(6 * k + 5, k)}));
-  const Diagram diagram = SC::voronoi_diagram(copies);
-  EXPECT_TRUE(diagram.is_complete());
-  EXPECT_EQ(counts(diagram).far, 3U);
-  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity && v.edges.size() == 2; }), 2);
-  expect_euler(diagram);
+  for (const bool is_cut : {false, true}) {
+    if (is_cut)
+      copies.push_back(bezier({P(6, 2), P(7.5, 2)}));
+    const Diagram diagram = SC::voronoi_diagram(copies);
+    EXPECT_TRUE(diagram.is_complete());
+    EXPECT_EQ(counts(diagram).far, 3U);
+    EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity && v.edges.size() == 2; }), 2);
+    expect_euler(diagram);
+  }
 }
 
 TEST(VoronoiDiagrams, FansOfACommonDisk)

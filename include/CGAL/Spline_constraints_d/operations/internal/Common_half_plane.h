@@ -69,17 +69,16 @@ private:
   {
     const Front& front = m_graph.fronts()[m_part.front];
     const Disk_contact own{front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC, front.object}, &other = located.contact;
-    const auto way = [](const Exact_pair& p, const Exact_pair& q) { return Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])}; };
     if (is_exact_vertex(m_graph, own) && is_exact_vertex(m_graph, other))
-      return way(m_graph.vertices()[own.index].exact_point, m_graph.vertices()[other.index].exact_point);
-    if (!is_exact_arc(m_graph, own) || !is_exact_arc(m_graph, other) || own.index == other.index || have_different_chords(m_graph, own.index, other.index))
+      return exact_difference(m_graph.vertices()[other.index].exact_point, m_graph.vertices()[own.index].exact_point);
+    if (own.kind != Disk_contact::Kind::ARC || other.kind != Disk_contact::Kind::ARC || have_different_chords(m_graph, own.index, other.index))
       return std::nullopt;
-    const Site_arc_2 &a = m_graph.arcs()[own.index], &b = m_graph.arcs()[other.index];
+    const Homogeneous_piece a = m_graph.arcs()[own.index].piece().uncut(), b = m_graph.arcs()[other.index].piece().uncut();
     for (const bool is_reversed : {false, true}) {
-      const Exact_pair d = way(a.at(0), b.at(is_reversed ? 1 : 0));
-      const auto moved = [&](const Exact_pair& p) { return Exact_pair{Exact_rational(p[0] + d[0]), Exact_rational(p[1] + d[1])}; };
-      const Interval v = is_reversed ? Interval(1) - interval_of<Interval>(m_part.range) : interval_of<Interval>(m_part.range);
-      if (is_image(a, moved, b, is_reversed) && is_only_maximum(m_graph, m_curvature, m_part, {other, {v.inf(), v.sup()}}, located))
+      const Control_points_2 p(a), q(b);
+      const Exact_pair d = exact_difference(q.point(is_reversed ? q.size() - 1 : 0), p.point(0));
+      const auto moved = [&](const Exact_pair& x) { return Exact_pair{Exact_rational(x[0] + d[0]), Exact_rational(x[1] + d[1])}; };
+      if (d != Exact_pair{0, 0} && is_image(a, moved, b, is_reversed) && is_only_maximum(m_graph, m_curvature, m_part, {other, corresponding_range(m_graph, own.index, m_part.range, other.index, is_reversed)}, located))
         return d;
     }
     return std::nullopt;

@@ -75,12 +75,17 @@ private:
         result.push_back({m_graph.arcs()[end.arc].at(end.is_end), m_graph.direction(end)});
     if (points.size() > 1)
       result.push_back({points[0], exact_difference(points[1], points[0])});
-    if (m_front.is_fan ? !points.empty() : m_graph.are_ends_exact(m_front.object)) {
-      const Exact_rational u = simplest_rational_between(Exact_rational(m_part.range.begin), Exact_rational(m_part.range.end));
-      const Exact_pair normal = m_graph.exact_normal(m_front, u);
-      result.push_back({m_graph.exact_point_at(m_front, u), {Exact_rational(-normal[1]), normal[0]}});
-    }
+    const auto u = m_front.is_fan ? std::optional(simplest_rational_between(Exact_rational(m_part.range.begin), Exact_rational(m_part.range.end))) : Arc_parameter(m_graph, m_front.object).simplest_of_piece_within(m_part.range);
+    if (u && (!m_front.is_fan || !points.empty()))
+      result.push_back(tangent_of_front(*u));
     return result;
+  }
+
+  // In a point with an exact parameter: of an arc, that of its piece.
+  Line tangent_of_front(const Exact_rational& u) const
+  {
+    const Exact_pair normal = m_graph.exact_normal(m_front, u);
+    return {m_graph.exact_point_at(m_front, u), {Exact_rational(-normal[1]), normal[0]}};
   }
 
   static Arc_end end_of_move(const Disk_branch& branch) { return {branch.move->arc, branch.move->parameter == 1}; }
@@ -88,7 +93,7 @@ private:
   bool touches_front(const Line& line) const
   {
     if (!m_front.is_fan)
-      return squared_norm(m_part.jet.normal).inf() > 0 && m_graph.are_ends_exact(m_front.object) && touches_line(m_graph.arcs()[m_front.object], m_part.range, line.point, line.direction);
+      return squared_norm(m_part.jet.normal).inf() > 0 && touches_line(m_graph, m_front.object, m_part.range, line.point, line.direction);
     const auto turn = [&](double u) { return certain_sign(dot(m_graph.front_jet(m_front, {u, u}).normal, interval_pair_of<Interval>(line.direction))); };
     return m_graph.vertices()[m_front.object].is_exact && line.holds(m_graph.vertices()[m_front.object].exact_point) && turn(m_part.range.begin) * turn(m_part.range.end) < 0;
   }
@@ -101,7 +106,7 @@ private:
       return is_exact_vertex(m_graph, branch.contact) && line.holds(m_graph.vertices()[branch.contact.index].exact_point);
     const std::size_t arc = branch.contact.index;
     const auto touches_end = [&](bool is_end) { return branch.range.meets({is_end ? 1.0 : 0.0, is_end ? 1.0 : 0.0}) && is_tangent_in(line, {arc, is_end}); };
-    return is_exact_arc(m_graph, branch.contact) && (touches_line(m_graph.arcs()[arc], branch.range, line.point, line.direction) || touches_end(false) || touches_end(true)) && is_only_maximum(m_graph, m_curvature, m_part, {branch.contact, branch.range}, branch);
+    return branch.contact.kind == Disk_contact::Kind::ARC && (touches_line(m_graph, arc, branch.range, line.point, line.direction) || touches_end(false) || touches_end(true)) && is_only_maximum(m_graph, m_curvature, m_part, {branch.contact, branch.range}, branch);
   }
 
   bool is_tangent_in(const Line& line, const Arc_end& end) const

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTROL_POINTS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CONTROL_POINTS_2_H
 
-#include <CGAL/Spline_constraints_d/operations/internal/Exact_arc_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Homogeneous_piece.h>
 
 #include <array>
 #include <cstddef>
@@ -14,17 +14,17 @@ namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
 
-// The control points of an arc and their weights.
+// The control points of a piece of a curve and their weights.
 class Control_points_2
 {
   std::array<std::vector<Exact_rational>, 3> m_coefficients;
 
 public:
-  explicit Control_points_2(const Exact_arc_2& arc)
+  explicit Control_points_2(const Homogeneous_piece& piece)
   {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Bernstein_tensor<Exact_rational>& f = arc.piece().coordinates[k];
-      m_coefficients[k] = (f.degree(0) < arc.degree() ? f.elevated({arc.degree()}) : f).coefficients();
+      const Bernstein_tensor<Exact_rational>& f = piece.coordinates[k];
+      m_coefficients[k] = (f.degree(0) < piece.degree() ? f.elevated({piece.degree()}) : f).coefficients();
     }
   }
 
@@ -33,9 +33,9 @@ public:
   Exact_pair point(std::size_t i) const { return {Exact_rational(m_coefficients[0][i] / weight(i)), Exact_rational(m_coefficients[1][i] / weight(i))}; }
 };
 
-// Whether an affine map takes an arc to another one, or to itself, with the parameter 1 - t or t: it does so with their control points.
+// Whether an affine map takes a piece to another one, or to itself, with the parameter 1 - t or t: it does so with their control points.
 template <class Map>
-bool is_image(const Exact_arc_2& a, const Map& map, const Exact_arc_2& b, bool is_reversed)
+bool is_image(const Homogeneous_piece& a, const Map& map, const Homogeneous_piece& b, bool is_reversed)
 {
   if (a.degree() != b.degree())
     return false;

@@ -421,12 +421,12 @@ private:
   // Of the disk that touches an arc where a branch has its maximum, if the parameter there is the simplest number.
   std::optional<Number_with_root> exact_curvature_in_arc(const Disk_branch& branch, bool end) const
   {
-    if (branch.move || !is_exact_arc(m_graph, branch.contact) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+    const auto v = branch.move || branch.contact.kind != Disk_contact::Kind::ARC ? std::nullopt : Arc_parameter(m_graph, branch.contact.index).simplest_of_piece_within(branch.range);
+    if (!v || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return std::nullopt;
     const Site_arc_2& arc = m_graph.arcs()[branch.contact.index];
-    const Exact_rational v = simplest_rational_between(Exact_rational(branch.range.begin), Exact_rational(branch.range.end));
-    const Exact_pair q = arc.at(v), &p = m_graph.exact_point(m_front, end);
-    if (p == q || !is_touched(branch.contact.index, q, arc.derivative_at(v), end) || !is_only_maximum(m_graph, m_curvature, end_of_front(end), {branch.contact, branch.range}, branch))
+    const Exact_pair q = arc.at(*v), &p = m_graph.exact_point(m_front, end);
+    if (p == q || !is_touched(branch.contact.index, q, arc.derivative_at(*v), end) || !is_only_maximum(m_graph, m_curvature, end_of_front(end), {branch.contact, branch.range}, branch))
       return std::nullopt;
     return curvature_of_disk_through(q, p, m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), squared_factor(m_curvature, branch.contact));
   }
@@ -445,11 +445,11 @@ private:
   // Whether the half-plane of an end of the front touches an arc, in the point where a branch has its maximum.
   bool is_half_plane_at_end(const Disk_branch& branch, bool end) const
   {
-    if (branch.move || !is_exact_arc(m_graph, branch.contact) || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
+    if (branch.move || branch.contact.kind != Disk_contact::Kind::ARC || m_curvature.scaled_sites() != nullptr || (!m_front.is_fan && !m_graph.is_exact({m_front.object, end})))
       return false;
     const Exact_pair normal = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
     return is_only_maximum(m_graph, m_curvature, end_of_front(end), {branch.contact, branch.range}, branch) &&
-           touches_line(m_graph.arcs()[branch.contact.index], branch.range, m_graph.exact_point(m_front, end), {Exact_rational(-normal[1]), normal[0]});
+           touches_line(m_graph, branch.contact.index, branch.range, m_graph.exact_point(m_front, end), {Exact_rational(-normal[1]), normal[0]});
   }
 
   std::optional<Number_with_root> exact_curvature_at_end(const Disk_branch& branch, bool end) const

@@ -61,7 +61,7 @@ public:
   const Exact_rational& error() const { return m_error; }
 
   bool is_polynomial() const { return m_is_polynomial; }
-  int degree() const { return (std::max)({m_piece.coordinates[0].degree(0), m_piece.coordinates[1].degree(0), m_piece.coordinates[2].degree(0)}); }
+  int degree() const { return m_piece.degree(); }
   bool is_straight() const { return m_is_straight; }
 
   // Whether the arc is straight, and its parameter a ratio of lengths, whatever its degree.

@@ -61,9 +61,7 @@ private:
       const Exact_rational &begin = limits[i - 1].parameter, &end = limits[i].parameter;
       if (m_crossings.is_redundant(curve, {begin, end}))
         continue;
-      Homogeneous_piece part{{begin, end}, piece.coordinates};
-      for (Bernstein_tensor<Exact_rational>& tensor : part.coordinates)
-        tensor = tensor.restricted(0, piece.local(begin), piece.local(end));
+      Homogeneous_piece part = piece.within({begin, end});
       const auto place = [&](const Limit& limit) { return limit.cut ? std::optional(Site_graph_2::Place_of_end{vertex(limit.cut->crossing), Exact_rational(limit.cut->width() / (end - begin))}) : std::nullopt; };
       m_graph->add_arc(std::move(part), curve, {place(limits[i - 1]), place(limits[i])});
     }

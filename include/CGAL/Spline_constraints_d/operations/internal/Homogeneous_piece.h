@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ struct Homogeneous_piece
   Parameter_range domain;
   std::array<Bernstein_tensor<Exact_rational>, 3> coordinates;
   bool is_smooth_at_begin = false, is_smooth_at_end = false;
+  std::optional<Parameter_range> whole{};   // of a part, the domain of the piece before it was cut
+
+  int degree() const { return (std::max)({coordinates[0].degree(0), coordinates[1].degree(0), coordinates[2].degree(0)}); }
 
   Exact_rational local(const Exact_rational& t) const { return Exact_rational((t - domain.first) / (domain.second - domain.first)); }
 
@@ -62,14 +66,20 @@ struct Homogeneous_piece
   }
 
   // The part within a range of the parameter.
-  Homogeneous_piece within(const Parameter_range& range) const
+  Homogeneous_piece within(const Parameter_range& range) const { return between({(std::max)(domain.first, range.first), (std::min)(domain.second, range.second)}); }
+
+  // The piece before it was cut.
+  Homogeneous_piece uncut() const { return whole ? between(*whole) : *this; }
+
+private:
+  // The same polynomials on another range.
+  Homogeneous_piece between(const Parameter_range& range) const
   {
-    const Parameter_range part{(std::max)(domain.first, range.first), (std::min)(domain.second, range.second)};
-    if (part == domain)
+    if (range == domain)
       return *this;
-    Homogeneous_piece result{part, coordinates, is_smooth_at_begin && part.first == domain.first, is_smooth_at_end && part.second == domain.second};
+    Homogeneous_piece result{range, coordinates, is_smooth_at_begin && range.first == domain.first, is_smooth_at_end && range.second == domain.second, whole ? whole : domain};
     for (Bernstein_tensor<Exact_rational>& tensor : result.coordinates)
-      tensor = tensor.restricted(0, local(part.first), local(part.second));
+      tensor = tensor.restricted(0, local(range.first), local(range.second));
     return result;
   }
 };

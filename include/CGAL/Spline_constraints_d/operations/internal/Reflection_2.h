@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Control_points_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Exact_arc_2.h>
 
 #include <optional>
 #include <vector>
@@ -43,11 +44,15 @@ public:
     return result;
   }
 
-  // That of an arc to another one, or to itself, against its direction or along it; none if there is none.
-  static std::optional<Reflection_2> of_arcs(const Exact_arc_2& a, const Exact_arc_2& b, bool is_reversed)
+  // That of a piece to another one, or to itself, against its direction or along it; none if there is none.
+  static std::optional<Reflection_2> of_pieces(const Homogeneous_piece& a, const Homogeneous_piece& b, bool is_reversed)
   {
-    for (const int end : {0, 1})
-      if (const auto result = of_points(a.at(end), b.at(is_reversed ? 1 - end : end)))
+    const auto point = [](const Homogeneous_piece& piece, bool is_end) {
+      const Control_points_2 points(piece);
+      return points.point(is_end ? points.size() - 1 : 0);
+    };
+    for (const bool is_end : {false, true})
+      if (const auto result = of_points(point(a, is_end), point(b, is_end != is_reversed)))
         return result->maps(a, b, is_reversed) ? result : std::nullopt;
     return std::nullopt;
   }
@@ -81,8 +86,8 @@ public:
   // Whether the line passes through a point, perpendicularly to a direction.
   bool is_perpendicular(const Exact_pair& p, const Exact_pair& direction) const { return exact_dot(m_normal, p) == m_offset && sign_of(exact_cross(m_normal, direction)) == 0; }
 
-  // Whether the image of an arc is another one, or itself, with the parameter 1 - t or t.
-  bool maps(const Exact_arc_2& a, const Exact_arc_2& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
+  // Whether the image of a piece is another one, or itself, with the parameter 1 - t or t.
+  bool maps(const Homogeneous_piece& a, const Homogeneous_piece& b, bool is_reversed) const { return is_image(a, *this, b, is_reversed); }
 };
 
 } // namespace internal

@@ -294,7 +294,7 @@ public:
     return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(front, end.arc); });
   }
 
-  // A point of a front that ends exactly, and the normal there.
+  // A point of a front, of an arc by the parameter of its piece, and the normal there.
   Exact_pair exact_point_at(const Front& front, const Exact_rational& u) const { return front.is_fan ? m_vertices[front.object].exact_point : m_arcs[front.object].at(u); }
   Exact_pair exact_normal(const Front& front, const Exact_rational& u) const
   {
