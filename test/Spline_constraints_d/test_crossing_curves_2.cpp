@@ -194,7 +194,7 @@ TEST(CrossingCurves, SymmetricCurves)
   const Diagram four = SC::voronoi_diagram(ellipses);
   expect_right(four, ellipses, 1);
   // The disk around (x, 0) that touches the second one in two points has r^2 = 1 - x^2/8, and r = x - 1 if it touches the first one, too.
-  EXPECT_EQ(std::count_if(four.vertices().begin(), four.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && std::abs(v.radius - 7. / 9) < 1e-12 && std::abs(distance(v.point, P(0, 0)) - 16. / 9) < 1e-12; }), 4);
+  EXPECT_EQ(std::count_if(four.vertices().begin(), four.vertices().end(), [](const auto& v) { return v.edges.size() == 3 && std::abs(v.radius - 7. / 9) < 1e-9 && std::abs(distance(v.point, P(0, 0)) - 16. / 9) < 1e-9; }), 4);
   // Joints on the axis, of a circle and of two segments; the tangent there is perpendicular to it, or not.
   const Curves round{ellipse(0, 1, 3), ellipse(4, 2, 2)}, straight{ellipse(0, 1, 3), bezier({P(-2, 2), P(0, 2)}), bezier({P(0, 2), P(2, 2)})};
   const Curves bent{ellipse(0, 1, 3), bezier({P(-2, 4), P(0, 2)}), bezier({P(0, 2), P(2, 4)})}, parabolas{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 0), P(0, 6), P(2, 0)})};
