@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|rotated|smoothed [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -19,6 +19,7 @@
 // - circles: diagrams of two to nine circles apart from each other, half of them with integers, the others with decimal numbers; the vertices beside those of CGAL's Apollonius graph.
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
 // - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
+// - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it, with its tangent there, forward or backward; the same.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 // - smoothed: the same chains after with_smooth_joints().
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -286,6 +287,62 @@ Answer mixed(unsigned scene)
     ends.insert(ends.end(), {a, b});
   }
   return curves.empty() ? Answer{false} : answer_of_diagram(curves, curves, points);
+}
+
+// A point of a curve, and the tangent there.
+using Fork = std::pair<Point, Vector>;
+
+Fork fork_at(double t, std::vector<Point> control_points)
+{
+  const auto degree = static_cast<double>(control_points.size() - 1);
+  for (; control_points.size() > 2; control_points.pop_back())
+    for (std::size_t i = 0; i + 1 < control_points.size(); ++i)
+      control_points[i] = control_points[i] + t * (control_points[i + 1] - control_points[i]);
+  const Vector way = control_points[1] - control_points[0];
+  return {control_points[0] + t * way, degree * way};
+}
+
+// A segment on which points are, exactly, a quadratic or cubic whose coordinates are exact at some parameters, or a circle; and where it forks.
+std::pair<Curves, std::function<Fork()>> trunk(std::mt19937& random, unsigned scene, const std::function<Point()>& dyadic_point)
+{
+  if (scene % 4 == 0) {
+    const double unit = scene % 8 == 0 ? 0.1 : 0x1p-50;
+    return {{SC::bezier_curve(std::vector{Point(0, 0), Point(8, 0)})}, [&random, unit] { return Fork(Point(std::round(number(random, 1, 7) / unit) * unit, 0), Vector(1, 0)); }};
+  }
+  if (scene % 4 == 3) {
+    const Point center = dyadic_point();
+    const double radius = 0.125 * (4 + static_cast<double>(random() % 16));
+    return {{SC::circle_curve(center, radius)}, [&random, center, radius] {
+              const std::array<Vector, 4> axes{Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)};
+              const std::size_t k = random() % 4;
+              return Fork(center + radius * axes[k], axes[(k + 1) % 4]);
+            }};
+  }
+  std::vector<Point> points;
+  for (unsigned k = 0; k < 2 + scene % 4; ++k)
+    points.push_back(dyadic_point());
+  return {{SC::bezier_curve(points)}, [&random, points] { return fork_at(0.25 * (1 + static_cast<double>(random() % 3)), points); }};
+}
+
+Answer forks(unsigned scene)
+{
+  std::mt19937 random(scene);
+  const std::function<Point()> dyadic_point = [&] {
+    const double x = std::round(number(random, 0, 512)) / 64, y = std::round(number(random, 0, 512)) / 64;
+    return Point(x, y);
+  };
+  auto [curves, fork] = trunk(random, scene, dyadic_point);
+  for (unsigned count = 1 + random() % 3; count > 0; --count) {
+    const auto [place, tangent] = fork();
+    const Vector way = (random() % 2 ? 0.5 : -0.5) * tangent;
+    std::vector<Point> points{place, place + way};
+    if (random() % 4 == 0)
+      points.push_back(place + 2 * way);   // no curvature there, or a segment
+    for (unsigned others = random() % 2 + (scene % 4 == 0); others > 0; --others)
+      points.push_back(dyadic_point());
+    curves.push_back(SC::bezier_curve(points));
+  }
+  return answer_of_diagram(curves);
 }
 
 // The points where pieces begin, and the tangents there: the control points of a closed chain of cubics.
@@ -621,7 +678,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -629,7 +686,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

@@ -186,6 +186,20 @@ TEST(CrossingCurves, ThreeArcsFromAPoint)
   }
 }
 
+// Curves that leave others in points of these with the same tangent: each of them goes on as two arcs, and disks touch the one on their side.
+TEST(CrossingCurves, Forks)
+{
+  const auto circle = SC::circle_curve(P(3, 4), 1.5);
+  const Curves line{bezier({P(0, 0), P(8, 0)}), bezier({P(6.2, 0), P(5.7, 0), P(4.515625, 0.625)})}, two{bezier({P(0, 0), P(10, 0)}), bezier({P(3, 0), P(5, 0), P(7, 2)}), bezier({P(5, 0), P(6, 0), P(4, 2)})};
+  const Curves quarter{bezier({P(0, 0), P(10, 0)}), bezier({P(7, 0), P(5.8954, 0), P(5, -0.8954), P(5, -2)})}, round{circle, bezier({P(3, 2.5), P(4, 2.5), P(5, 2)}), bezier({P(4.5, 4), P(4.5, 5)}), bezier({P(1.5, 4), P(1.5, 4.5), P(2, 5)})};
+  const Curves parabola{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(0, 0), P(1, 0), P(2, 3)}), bezier({P(0, 0), P(-1, 0)}), bezier({P(1, 1), P(0.5, 0), P(0, 3)})};
+  for (const Curves& scene : {line, two, quarter, round, parabola})
+    expect_right(SC::voronoi_diagram(scene), scene, 1);
+  // The disks of the line that touch the curve, too, end with the circle of its curvature, 5/4.
+  const Diagram diagram = SC::voronoi_diagram(line);
+  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return std::abs(v.radius - 0.8) < 1e-9 && distance(v.point, P(6.2, 0.8)) < 1e-9; }), 1);
+}
+
 // Common axes of curves that cross at parameters which are not rational: a disk with its center on one touches two arcs that end there, and a third one.
 TEST(CrossingCurves, SymmetricCurves)
 {

@@ -78,8 +78,9 @@ public:
     merge_at_common_vertices();
     if (!m_front.is_fan)
       for (const bool end : {false, true})
-        if (const auto next = graph.end_after({m_front.object, end}))
-          merge_at_joint(*next);
+        for (const Arc_end& next : graph.vertices()[graph.vertex_of({m_front.object, end})].ends)
+          if (graph.continuations({m_front.object, end}).hold(next))
+            merge_at_joint(next);
     for (Cluster& cluster : m_clusters)
       m_are_known = m_are_known && has_one_maximum(cluster);
     if (!m_are_known)
@@ -246,17 +247,11 @@ private:
     const Arc_end own{m_front.object, front_end};
     if (own == end)
       return is_near && (!m_graph.is_regular(end) || is_flat);
-    if (is_end_after(own, end))
+    if (m_graph.continuations(own).hold(end))
       return true;
     if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
       return true;
     return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
-  }
-
-  bool is_end_after(const Arc_end& before, const Arc_end& after) const
-  {
-    const auto end = m_graph.end_after(before);
-    return end && *end == after;
   }
 
   // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.

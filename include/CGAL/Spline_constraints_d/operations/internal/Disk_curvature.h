@@ -327,8 +327,8 @@ private:
   {
     const Front& f = m_graph.fronts()[front];
     const auto goes_on = [&](bool is_end) {
-      const auto& next = m_graph.continuation({f.object, is_end});
-      return next && next->end.arc == arc;
+      const auto& all = m_graph.continuations({f.object, is_end}).smooth;
+      return std::any_of(all.begin(), all.end(), [&](const Smooth_continuation& next) { return next.end.arc == arc; });
     };
     return !f.is_fan && (f.object == arc || goes_on(false) || goes_on(true));
   }
@@ -397,9 +397,9 @@ private:
       if (m_graph.vertex_of(own) != vertex || own == end)
         continue;
       const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
-      const auto& continuation = m_graph.continuation(own);
-      if (continuation && continuation->end == end && m_graph.is_regular(own) && m_graph.is_regular(end))
-        result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *continuation, to_vertex));
+      const Smooth_continuation* next = m_graph.continuations(own).smooth_at(end);
+      if (next != nullptr && m_graph.is_regular(own) && m_graph.is_regular(end))
+        result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *next, to_vertex));
       else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
         result.value = common_part(result.value, across_nearly_smooth_joint(part, own, *nearly, range));
       else if (own_to_vertex.width() == part.range.width() && to_vertex.width() == range.width())

@@ -6,8 +6,10 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Site_arc_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -80,6 +82,26 @@ struct Basic_nearly_smooth_continuation
 };
 
 using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+
+// How an arc goes on: smoothly, as each of those that leave the vertex in the direction in which it arrives, of which one may be that which is meant; or nearly so.
+template <Enclosing_number Interval>
+struct Basic_arc_continuations
+{
+  using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+
+  std::optional<Smooth_continuation> only;
+  std::vector<Smooth_continuation> smooth;
+  std::optional<Nearly_smooth_continuation> nearly_smooth;
+
+  const Smooth_continuation* smooth_at(const Arc_end& end) const
+  {
+    const auto result = std::find_if(smooth.begin(), smooth.end(), [&](const Smooth_continuation& next) { return next.end == end; });
+    return result == smooth.end() ? nullptr : &*result;
+  }
+
+  bool hold(const Arc_end& end) const { return smooth_at(end) != nullptr || (nearly_smooth && nearly_smooth->end == end); }
+};
 
 } // namespace internal
 } // namespace Spline_constraints

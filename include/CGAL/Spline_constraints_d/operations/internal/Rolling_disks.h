@@ -68,16 +68,23 @@ public:
         continue;
       erase(place, own, candidates);
       for (const bool end : {false, true})
-        if (const auto& next = m_graph.continuation({place.arc, end}); next && place.parameter == Exact_rational(end ? 1 : 0) && m_graph.is_exact(next->end)) {
-          const Place beyond{next->end.arc, Exact_rational(next->end.is_end ? 1 : 0), next->end.is_end == end ? -place.side : place.side};
-          const double t = next->end.parameter();
-          if (const Range other = range_with(beyond, {t, t}, candidates); roll(range, beyond, other))
-            erase(beyond, other, candidates);
-        }
+        if (place.parameter == Exact_rational(end ? 1 : 0))
+          for (const Smooth_continuation& next : m_graph.continuations({place.arc, end}).smooth)
+            erase_beyond(place, next.end, range, candidates);
     }
   }
 
 private:
+  // Those of the arc that goes on where a place is.
+  void erase_beyond(const Place& place, const Arc_end& next, const Range& range, std::vector<Disk_candidate>& candidates) const
+  {
+    if (!m_graph.is_exact(next))
+      return;
+    const Place beyond{next.arc, Exact_rational(next.is_end ? 1 : 0), next.is_end == (place.parameter == 1) ? -place.side : place.side};
+    if (const Range other = range_with(beyond, {next.parameter(), next.parameter()}, candidates); roll(range, beyond, other))
+      erase(beyond, other, candidates);
+  }
+
   const Site_arc_2& arc() const { return m_graph.arcs()[m_front.object]; }
 
   bool are_places_exact() const { return !m_front.is_fan && !arc().is_on_line_or_circle() && !arc().has_singular_end() && m_graph.are_ends_exact(m_front.object); }

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,6 +37,7 @@ class Basic_site_graph_2
   using Front = Basic_front<Interval>;
   using Front_jet = Basic_front_jet<Interval>;
   using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Arc_continuations = Basic_arc_continuations<Interval>;
   using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
 
 public:
@@ -56,8 +56,7 @@ private:
   std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
   std::vector<std::array<bool, 2>> m_is_end_exact;
   std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
-  std::vector<std::array<std::optional<Smooth_continuation>, 2>> m_continuations;
-  std::vector<std::array<std::optional<Nearly_smooth_continuation>, 2>> m_nearly_smooth_continuations;
+  std::vector<std::array<Arc_continuations, 2>> m_continuations;
   std::vector<Vertex> m_vertices;
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
@@ -74,7 +73,7 @@ public:
   template <Enclosing_number Other>
   explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
     : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
-      m_continuations(other.m_arcs.size()), m_nearly_smooth_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved)
+      m_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved)
   {
     for (const Exact_arc_2& arc : other.m_arcs)
       m_arcs.emplace_back(arc);
@@ -137,7 +136,6 @@ public:
       m_fronts.push_back({false, i, true});
     }
     m_continuations.resize(m_arcs.size());
-    m_nearly_smooth_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       const bool is_ordered = order_ends(m_vertices[v]);
       m_is_proved = m_is_proved && is_ordered && is_order_proved(m_vertices[v]);
@@ -186,7 +184,9 @@ public:
   // Whether the order of the arcs around all vertices is proved, and no arcs are known to overlap.
   bool is_proved() const { return m_is_proved; }
 
-  const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+  const Arc_continuations& continuations(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+  const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return continuations(end).only; }
+  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return continuations(end).nearly_smooth; }
 
   // The arc that leaves a vertex in the direction in which another one arrives, if it is the next one on a side of that, as for disks that touch both there.
   std::optional<Arc_end> continuation_beside(const Arc_end& end, bool is_left) const
@@ -194,17 +194,6 @@ public:
     const Arc_end& next = next_around_vertex({false, end.arc, is_left != end.is_end}, end);
     const Exact_pair &p = direction(end), &q = direction(next);
     return sign_of(exact_dot(p, q)) < 0 && sign_of(exact_cross(p, q)) == 0 ? std::optional(next) : std::nullopt;
-  }
-
-  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return m_nearly_smooth_continuations[end.arc][end.is_end]; }
-
-  // That of the arc that goes on smoothly, or nearly so.
-  std::optional<Arc_end> end_after(const Arc_end& end) const
-  {
-    if (const auto& smooth = continuation(end))
-      return smooth->end;
-    const auto& nearly = nearly_smooth_continuation(end);
-    return nearly ? std::optional(nearly->end) : std::nullopt;
   }
 
   // Whether a front ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
@@ -398,12 +387,15 @@ private:
         if (!has_ratio && is_regular(a) && is_regular(b))
           continue;
         const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
-        if (turn == 0 && !(goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a)))
-          continue;
-        else if (turn == 0)
-          m_continuations[a.arc][a.is_end] = Smooth_continuation{b, !has_ratio ? any_number<Interval>() : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio) : ratio_of_speeds(a, b, k)};
-        else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
-          m_nearly_smooth_continuations[a.arc][a.is_end] = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
+        if (turn == 0) {
+          const Smooth_continuation next{b, !has_ratio ? any_number<Interval>() : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio) : ratio_of_speeds(a, b, k)};
+          const bool goes_on = goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a);
+          if (goes_on)
+            m_continuations[a.arc][a.is_end].only = next;
+          if (goes_on || (is_exact(a) && is_exact(b)))
+            m_continuations[a.arc][a.is_end].smooth.push_back(next);
+        } else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
+          m_continuations[a.arc][a.is_end].nearly_smooth = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
       }
   }
 
@@ -485,13 +477,6 @@ private:
 };
 
 using Site_graph_2 = Basic_site_graph_2<Interval>;
-
-inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
-{
-  std::vector<std::size_t> result(graph.fronts().size());
-  std::iota(result.begin(), result.end(), 0);
-  return result;
-}
 
 } // namespace internal
 } // namespace Spline_constraints

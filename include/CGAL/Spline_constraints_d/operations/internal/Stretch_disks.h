@@ -166,11 +166,14 @@ private:
     if (front.is_fan || !point.range.is_number())
       return std::nullopt;
     const Arc_end own{front.object, point.range.begin == 1};
-    const auto next = m_graph.end_after(own);
-    if (point.range.begin != own.parameter() || !next || next->arc != other || !located.range.meets({next->parameter(), next->parameter()}) || m_graph.is_pocket(front, own))
+    if (point.range.begin != own.parameter() || m_graph.is_pocket(front, own))
       return std::nullopt;
-    const Interval a = curvature(own), b = curvature(*next);
-    return Attained_curvature{a.inf() > b.inf() ? a : b, {next->parameter(), next->parameter()}};
+    for (const Arc_end& next : m_graph.vertices()[m_graph.vertex_of(own)].ends)
+      if (next.arc == other && m_graph.continuations(own).hold(next) && located.range.meets({next.parameter(), next.parameter()})) {
+        const Interval a = curvature(own), b = curvature(next);
+        return Attained_curvature{a.inf() > b.inf() ? a : b, {next.parameter(), next.parameter()}};
+      }
+    return std::nullopt;
   }
 };
 
