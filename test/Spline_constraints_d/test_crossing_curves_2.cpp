@@ -200,6 +200,15 @@ TEST(CrossingCurves, Forks)
   EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return std::abs(v.radius - 0.8) < 1e-9 && distance(v.point, P(6.2, 0.8)) < 1e-9; }), 1);
 }
 
+// A curve that leaves a circle of more curvature, and soon crosses it again: the lens between is thinner than 10^-5, and decided in parts much longer than that.
+TEST(CrossingCurves, ThinLens)
+{
+  const Curves curves{SC::circle_curve(P(0.5625, 6.71875), 0.5), bezier({P(1.0625, 6.71875), P(1.0625, 7.21875), P(0.15625, 0.328125)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  expect_right(diagram, curves, 1);
+  EXPECT_EQ(number_of_parts(diagram), 9U);
+}
+
 // Common axes of curves that cross at parameters which are not rational: a disk with its center on one touches two arcs that end there, and a third one.
 TEST(CrossingCurves, SymmetricCurves)
 {

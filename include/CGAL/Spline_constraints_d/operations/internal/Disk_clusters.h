@@ -66,7 +66,7 @@ private:
   const Front& m_front;
   double m_least;   // curvature of all maximal disks
   std::vector<Cluster> m_clusters;
-  bool m_are_known = true;
+  bool m_are_known = true, m_is_one_part = false;   // the latter: all that is left is one range of one arc
 
 public:
   Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
@@ -124,6 +124,7 @@ private:
       } else
         merged.push_back(cluster);
     m_clusters = std::move(merged);
+    m_is_one_part = m_clusters.size() == 1 && std::all_of(candidates.begin(), candidates.end(), [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
   }
 
   // Disks that touch the front in one point are nested, also when they are scaled, and a line or circle meets the boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its points through which there are disks of at least some positive curvature are connected.
@@ -163,15 +164,37 @@ private:
       if (are_ends_known)
         return true;
     }
-    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster);
+    return has_known_slopes(cluster) || is_concave || has_one_maximum_on_line_or_circle(cluster) || has_one_maximum_on_flat_arc(cluster);
   }
 
-  // The points that are connected have one maximum of the curvature.
   bool has_one_maximum_on_line_or_circle(Cluster& cluster) const
   {
     const bool is_only = std::count_if(m_clusters.begin(), m_clusters.end(), [&](const Cluster& c) { return c.arc == cluster.arc; }) == 1;
-    if (!are_connected(cluster.arc) || !is_only)
+    return are_connected(cluster.arc) && is_only && has_one_connected_maximum(cluster, std::numeric_limits<double>::min(), !m_graph.arcs()[cluster.arc].is_straight());
+  }
+
+  // Where there is nothing else: events are known better by smaller parts.
+  bool has_one_maximum_on_flat_arc(Cluster& cluster) const { return m_is_one_part && m_least > 0 && is_flat(cluster) && has_one_connected_maximum(cluster, m_least, false); }
+
+  /*
+  Whether an arc has less curvature than all disks, on the side on which they touch the front. Where it goes away from each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it from inside when it is moved away from the chord between.
+  */
+  bool is_flat(const Cluster& cluster) const
+  {
+    const Site_arc_2& arc = m_graph.arcs()[cluster.arc];
+    if (m_curvature.is_arc_scaled(cluster.arc) || arc.has_singular_end())
       return false;
+    const Basic_curve_jet<Interval> y = arc.jet(cluster.range, 2);
+    if (!turns_by_less_than_right_angle(y[1]))
+      return false;
+    const Interval square = squared_norm(y[1]), turn = dot(turned_left(y[1]), y[2]), least = Interval(m_least) / CGAL::sqrt(squared_norm(m_part.jet.normal)) * (square * CGAL::sqrt(square));
+    const int side = certain_sign(dot(turned_left(y[1]), m_part.jet.point - y[0]));
+    return (side < 0 || turn.sup() < least.inf()) && (side > 0 || -turn.inf() < least.inf());
+  }
+
+  // The points through which there are disks of more than some curvature are connected, and have one maximum. If a circle connects them, its rest may do so, too.
+  bool has_one_connected_maximum(Cluster& cluster, double least, bool is_round) const
+  {
     std::array<End_state, 2> ends{End_state::NOT_A_MAXIMUM, End_state::NOT_A_MAXIMUM};
     int ends_among_them = 0;
     for (const bool end : {false, true})
@@ -181,16 +204,16 @@ private:
           ends[end] = End_state::TOO_LOW;
           continue;
         }
-        if (!(k.value.inf() > 0))   // so that it is connected with the others
+        if (!(k.value.inf() >= least))   // so that it is connected with the others
           return false;
         const int sign = certain_sign(k.dv) * (end ? 1 : -1);
         ends[end] = sign > 0 ? End_state::MAXIMUM : sign < 0 ? End_state::NOT_A_MAXIMUM : End_state::UNKNOWN;
         ++ends_among_them;
       }
-    if (ends_among_them == 2 && !m_graph.arcs()[cluster.arc].is_straight())   // they may be connected by the rest of the circle
+    if (ends_among_them == 2 && is_round)
       return false;
     cluster.ends = ends;
-    cluster.least = std::numeric_limits<double>::min();   // all points where it is positive are connected
+    cluster.least = least;
     return true;
   }
 
