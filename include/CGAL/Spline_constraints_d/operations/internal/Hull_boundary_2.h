@@ -358,7 +358,7 @@ private:
     const int halvings = least_halvings(part);
     if (halvings == 0 || halvings % halvings_between_proofs != 0)
       return false;
-    return cut_at_singularities(part, cuts) || cut_where_pieces_overlap(part, cuts) || cover_points_on_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
+    return cut_at_singularities(part, cuts) || cut_where_pieces_overlap(part, cuts) || cover_points_behind_pieces(part) || drop_pieces_behind_others(part, dropped) || leave_out_what_touches_segment(part, dropped);
   }
 
   bool cut_at_singularities(const Part& part, Cuts& cuts)
@@ -392,38 +392,63 @@ private:
     return result;
   }
 
-  // Vertices that are points of a piece between vertices.
-  bool cover_points_on_pieces(const Part& part)
+  // Vertices that are points of a piece between vertices, or between it and its chord.
+  bool cover_points_behind_pieces(const Part& part)
   {
     bool result = false;
     const auto is_vertex = [&](const Exact_pair& point) { return m_points.count(point) > 0 && m_covered.count(point) == 0; };
     for (std::size_t i = part.first + 1; i < part.last; ++i)
       for (std::size_t k : part.pieces) {
         const Hull_piece_2& piece = m_pieces[k];
-        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() && vertex(i) != piece.end() && m_contacts.has_point(piece, vertex(i)))
+        if (is_vertex(piece.begin()) && is_vertex(piece.end()) && vertex(i) != piece.begin() && vertex(i) != piece.end() && (m_contacts.has_point({piece}, vertex(i)) || is_between_chord_and({piece}, vertex(i)) || is_between_chord_and({piece.reversed()}, vertex(i))))
           result |= m_covered.insert(vertex(i)).second;
       }
     return result;
   }
 
-  // A piece that begins and ends in the polygon cannot get out of it behind a convex piece above one of the edges, if they have only one common point.
+  // Whether a point on the right of the chord of a convex chain is on its side of the chain: nothing is in the way to the middle of the chord.
+  bool is_between_chord_and(const Hull_chain& chain, const Exact_pair& point) const
+  {
+    const Exact_pair &first = chain.front().begin(), &last = chain.back().end(), both = sum(first, last);
+    return exact_cross(exact_difference(last, first), exact_difference(point, first)) < 0 && is_convex(chain) && m_contacts.is_apart_from_segment(chain, {point, {Exact_rational(both[0] / 2), Exact_rational(both[1] / 2)}});
+  }
+
+  // A piece that begins and ends in the polygon, or behind a convex chain above edges of it, cannot get out there if it has only one common point with the chain.
   bool drop_pieces_behind_others(const Part& part, std::set<std::size_t>& dropped)
   {
     const std::size_t dropped_before = dropped.size();
-    for (std::size_t edge = part.first; edge < part.last; ++edge) {
-      const std::vector<std::size_t>& beyond = m_beyond[edge % m_polygon.size()];
-      const auto is_above_edge_only = [&](std::size_t i) { return is_beyond_only(i, edge, edge + 1); };
-      const auto other = std::find_if(beyond.begin(), beyond.end(), [&](std::size_t i) {
-        const Hull_piece_2& piece = m_pieces[i];
-        return is_above_edge_only(i) && ((piece.begin() == vertex(edge) && piece.end() == vertex(edge + 1) && is_convex({piece})) ||
-                                         (piece.end() == vertex(edge) && piece.begin() == vertex(edge + 1) && is_convex({piece.reversed()})));
-      });
-      if (other != beyond.end())
-        for (std::size_t i : beyond)
-          if (i != *other && is_above_edge_only(i) && begins_and_ends_behind(m_pieces[i], m_pieces[*other], edge) && m_contacts.meet_once_or_overlap(m_pieces[i], m_pieces[*other]))
-            dropped.insert(i);
-    }
+    for (std::size_t i : part.pieces)
+      if (dropped.count(i) == 0)
+        if (const Hull_chain chain = chain_above(part, i, dropped); !chain.empty() && begins_and_ends_behind(m_pieces[i], chain) && m_contacts.meet_once_or_overlap(m_pieces[i], chain))
+          dropped.insert(i);
     return dropped.size() > dropped_before;
+  }
+
+  // The convex chain of others, each above one edge from vertex to vertex, above the edges of a part that a piece is beyond, if it is not beyond any others.
+  Hull_chain chain_above(const Part& part, std::size_t piece, const std::set<std::size_t>& dropped) const
+  {
+    std::size_t first = part.first, last = part.last;
+    while (first < last && is_beyond_only(piece, first + 1, last))
+      ++first;
+    while (first < last && is_beyond_only(piece, first, last - 1))
+      --last;
+    Hull_chain result;
+    for (std::size_t edge = first; edge < last; ++edge)
+      for (std::size_t k : m_beyond[edge % m_polygon.size()])
+        if (const Hull_piece_2 other = m_pieces[k].begin() == vertex(edge) ? m_pieces[k] : m_pieces[k].reversed();
+            k != piece && dropped.count(k) == 0 && other.begin() == vertex(edge) && other.end() == vertex(edge + 1) && is_beyond_only(k, edge, edge + 1)) {
+          result.push_back(other);
+          break;
+        }
+    return result.size() == last - first && is_beyond_only(piece, first, last) && is_convex(result) ? result : Hull_chain();
+  }
+
+  // Ends are in the polygon, or points of a chain, or between it and its chord.
+  bool begins_and_ends_behind(const Hull_piece_2& piece, const Hull_chain& chain) const
+  {
+    const Exact_pair &first = chain.front().begin(), &last = chain.back().end();
+    const auto is_behind = [&](const Exact_pair& end) { return exact_cross(exact_difference(last, first), exact_difference(end, first)) >= 0 || m_contacts.has_point(chain, end) || is_between_chord_and(chain, end); };
+    return is_behind(piece.begin()) && is_behind(piece.end());
   }
 
   bool is_beyond_only(std::size_t piece, std::size_t first_edge, std::size_t last_edge) const
@@ -432,13 +457,6 @@ private:
       if (const auto& beyond = m_beyond[edge % m_polygon.size()]; std::find(beyond.begin(), beyond.end(), piece) != beyond.end())
         return false;
     return true;
-  }
-
-  // Ends are in the polygon, or points that are covered.
-  bool begins_and_ends_behind(const Hull_piece_2& piece, const Hull_piece_2& other, std::size_t edge) const
-  {
-    const auto is_behind = [&](const Exact_pair& end) { return !is_beyond(edge % m_polygon.size(), end) || m_contacts.has_point(other, end); };
-    return is_behind(piece.begin()) && is_behind(piece.end());
   }
 
   // Convex pieces, and vertices, between two chains that touch the segment that touches both of these.

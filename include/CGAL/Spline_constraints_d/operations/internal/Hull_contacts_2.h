@@ -124,23 +124,43 @@ public:
     return std::array<Parameter_range, 2>{common[0].parameter_range(0), common[0].parameter_range(1)};
   }
 
-  // Whether two pieces have one common point at most, or the first one is a part of the second one.
-  bool meet_once_or_overlap(const Hull_piece_2& piece, const Hull_piece_2& other) const
+  // Whether a piece and a chain have one common point at most, or the piece is a part of one of those of the chain.
+  bool meet_once_or_overlap(const Hull_piece_2& piece, const std::vector<Hull_piece_2>& chain) const
   {
-    if (!may_meet(piece.boxes(), other.boxes()))
-      return true;
-    const auto common = intersections(exact_curve(piece), exact_curve(other), m_options);
-    if (!common.is_complete() || common.size() > 1)
-      return false;
-    return common.count(Intersection_kind::OVERLAP) == 0 || (has_point(other, piece.begin()) && has_point(other, piece.end()));
+    std::size_t count = 0;
+    for (const Hull_piece_2& other : chain) {
+      if (!may_meet(piece.boxes(), other.boxes()))
+        continue;
+      const auto common = intersections(exact_curve(piece), exact_curve(other), m_options);
+      if (!common.is_complete())
+        return false;
+      if (common.count(Intersection_kind::OVERLAP) > 0)
+        return common.size() == 1 && has_point({other}, piece.begin()) && has_point({other}, piece.end());
+      const bool is_joint_known = &other != &chain.front() && (other.begin() == piece.begin() || other.begin() == piece.end());
+      count += common.size() - (is_joint_known ? 1 : 0);
+    }
+    return count <= 1;
   }
 
-  bool has_point(const Hull_piece_2& piece, const Exact_pair& point) const
+  bool has_point(const std::vector<Hull_piece_2>& chain, const Exact_pair& point) const
   {
-    if (!may_meet({enclosed(point)}, piece.boxes()))
-      return false;
-    const auto common = intersections(Exact_kernel::Point_2(point[0], point[1]), exact_curve(piece), m_options);
-    return common.is_complete() && !common.empty();
+    return std::any_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) {
+      if (!may_meet({enclosed(point)}, piece.boxes()))
+        return false;
+      const auto common = intersections(Exact_kernel::Point_2(point[0], point[1]), exact_curve(piece), m_options);
+      return common.is_complete() && !common.empty();
+    });
+  }
+
+  bool is_apart_from_segment(const std::vector<Hull_piece_2>& chain, const std::array<Exact_pair, 2>& ends) const
+  {
+    std::vector<Exact_kernel::Point_2> points;
+    for (const auto& [x, y] : ends)
+      points.emplace_back(x, y);
+    return std::all_of(chain.begin(), chain.end(), [&](const Hull_piece_2& piece) {
+      const auto common = intersections(bezier_curve(points), exact_curve(piece), m_options);
+      return common.is_complete() && common.empty();
+    });
   }
 
 private:
