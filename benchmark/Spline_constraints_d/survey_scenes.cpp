@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|rotated|smoothed [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -20,6 +20,9 @@
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
 // - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
 // - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it, with its tangent there, forward or backward; the same.
+// - fork_offsets: of the same curves, with three distances; the distances of their points, and what they cover, beside samples.
+// - fork_hulls: of the same curves; the same as of hulls.
+// - fork_sectors: of the first two of the same curves, and their bisectors; the same as of sectors.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 // - smoothed: the same chains after with_smooth_joints().
 #include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
@@ -324,7 +327,8 @@ std::pair<Curves, std::function<Fork()>> trunk(std::mt19937& random, unsigned sc
   return {{SC::bezier_curve(points)}, [&random, points] { return fork_at(0.25 * (1 + static_cast<double>(random() % 3)), points); }};
 }
 
-Answer forks(unsigned scene)
+// A trunk, and one to three curves that fork.
+Curves forking_curves(unsigned scene)
 {
   std::mt19937 random(scene);
   const std::function<Point()> dyadic_point = [&] {
@@ -342,7 +346,41 @@ Answer forks(unsigned scene)
       points.push_back(dyadic_point());
     curves.push_back(SC::bezier_curve(points));
   }
-  return answer_of_diagram(curves);
+  return curves;
+}
+
+Answer forks(unsigned scene) { return answer_of_diagram(forking_curves(scene)); }
+
+bool covers(const CGAL::Polygon_with_holes_2<K>& polygon, const Point& p)
+{
+  return polygon.outer_boundary().bounded_side(p) == CGAL::ON_BOUNDED_SIDE && std::all_of(polygon.holes_begin(), polygon.holes_end(), [&](const auto& hole) { return hole.bounded_side(p) == CGAL::ON_UNBOUNDED_SIDE; });
+}
+
+Answer fork_offsets(unsigned scene)
+{
+  constexpr int queries = 2000;
+  constexpr double allowed = 2e-3;
+  const Curves curves = forking_curves(scene);
+  const std::vector<Point> along = samples(curves, 2000);
+  std::mt19937 random(scene);
+  Answer answer;
+  answer.is_complete = true;
+  for (const double radius : {0.0625, 0.3, 1.0}) {
+    const auto result = SC::trimmed_offset(curves, radius);
+    answer.is_complete = answer.is_complete && result.is_complete();
+    answer.size += result.arcs().size();
+    for (std::size_t i = 0; i < result.arcs().size(); ++i)
+      for (const Point& p : result.polyline(i, 1e-4))
+        answer.is_differing = answer.is_differing || std::abs(distance(p, along) - radius) > allowed;
+    const auto polygons = result.polygons_with_holes(1e-4);
+    for (int i = 0; i < queries && result.is_complete(); ++i) {
+      const Point p = point(random, -2, -2, 12);
+      const double height = distance(p, along) - radius;
+      const bool is_covered = std::any_of(polygons.begin(), polygons.end(), [&](const auto& polygon) { return covers(polygon, p); });
+      answer.is_differing = answer.is_differing || (std::abs(height) > allowed && is_covered != (height < 0));
+    }
+  }
+  return answer;
 }
 
 // The points where pieces begin, and the tangents there: the control points of a closed chain of cubics.
@@ -452,24 +490,10 @@ Answer copies(unsigned scene)
   return answer;
 }
 
-Answer hull(unsigned scene)
+Answer answer_of_hull(const Curves& curves)
 {
   constexpr int directions = 360;
-  std::mt19937 random(scene);
-  Curves curves;
-  for (unsigned i = 0; i <= scene % 20; ++i) {
-    const std::vector<Point> points = lattice_points(random, 12);
-    if (i > 0 && random() % 4 == 0)
-      curves.push_back(curves[random() % curves.size()].transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
-    else if (random() % 4 == 0)
-      curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 4)));
-    else if (points.front() != points.back())
-      curves.push_back(SC::bezier_curve(points));
-  }
   Answer answer;
-  answer.is_asked = !curves.empty();
-  if (!answer.is_asked)
-    return answer;
   const auto result = SC::convex_hull(curves);
   answer.is_complete = result.is_complete();
   answer.size = result.edges().size();
@@ -487,6 +511,24 @@ Answer hull(unsigned scene)
   }
   return answer;
 }
+
+Answer hull(unsigned scene)
+{
+  std::mt19937 random(scene);
+  Curves curves;
+  for (unsigned i = 0; i <= scene % 20; ++i) {
+    const std::vector<Point> points = lattice_points(random, 12);
+    if (i > 0 && random() % 4 == 0)
+      curves.push_back(curves[random() % curves.size()].transformed(CGAL::Aff_transformation_2<K>(CGAL::TRANSLATION, points[0] - CGAL::ORIGIN)));
+    else if (random() % 4 == 0)
+      curves.push_back(SC::circle_curve(points[0], 1.0 + static_cast<double>(random() % 4)));
+    else if (points.front() != points.back())
+      curves.push_back(SC::bezier_curve(points));
+  }
+  return curves.empty() ? Answer{false} : answer_of_hull(curves);
+}
+
+Answer fork_hulls(unsigned scene) { return answer_of_hull(forking_curves(scene)); }
 
 // Around the origin, with a control point in each of eight to twelve directions, of which the first of each piece is a corner.
 Answer kernel(unsigned scene)
@@ -572,15 +614,9 @@ Curves chain_that_touches_itself_and_cubic(std::mt19937& random)
   return {SC::Bspline_curve_2<K>(3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4}, chain), SC::bezier_curve(std::vector<Point>{next_point(), next_point(), next_point(), next_point()})};
 }
 
-Answer sectors(unsigned scene)
+Answer answer_of_sectors(const SC::Bspline_curve_2<K>& first, const SC::Bspline_curve_2<K>& second)
 {
-  constexpr unsigned first_that_touch = 40, first_that_touch_themselves = 240;
-  std::mt19937 random(scene);
-  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : scene < first_that_touch_themselves ? touching_cubics(random) : chain_that_touches_itself_and_cubic(random);
-  if (curves.empty())
-    return Answer{false};
-  const auto &first = curves[0], &second = curves[1];
-  const std::vector<Point> along_first = samples({first}, 2000), along_second = samples({second}, 2000);
+  const std::vector<Point> along_first = samples({first}, 4000), along_second = samples({second}, 4000);
   Answer answer;
   answer.is_complete = true;
   for (const double alpha : {1 / 8., 1 / 4., 3 / 8., 5 / 8., 3 / 4., 7 / 8.}) {
@@ -591,6 +627,22 @@ Answer sectors(unsigned scene)
       for (const auto& sample : result.polyline(i, 0.1))
         answer.is_differing = answer.is_differing || (result.is_complete() && sample.distances[0] + sample.distances[1] < 5 && (std::abs(distance(sample.point, along_first) - sample.distances[0]) > 5e-3 || std::abs(distance(sample.point, along_second) - sample.distances[1]) > 5e-3));
   }
+  return answer;
+}
+
+Answer sectors(unsigned scene)
+{
+  constexpr unsigned first_that_touch = 40, first_that_touch_themselves = 240;
+  std::mt19937 random(scene);
+  const Curves curves = scene < first_that_touch ? Curves{cubic(random, 0), cubic(random, 0)} : scene < first_that_touch_themselves ? touching_cubics(random) : chain_that_touches_itself_and_cubic(random);
+  return curves.empty() ? Answer{false} : answer_of_sectors(curves[0], curves[1]);
+}
+
+Answer fork_sectors(unsigned scene)
+{
+  const Curves curves = forking_curves(scene);
+  Answer answer = answer_of_sectors(curves[0], curves[1]);
+  answer.is_complete = answer.is_complete && SC::trimmed_bisector(curves[0], curves[1]).is_complete();
   return answer;
 }
 
@@ -678,7 +730,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -686,7 +738,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

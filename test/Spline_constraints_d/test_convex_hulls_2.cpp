@@ -216,6 +216,32 @@ TEST(convex_hulls_2, three_tangents_are_one)
   expect_area(row, SC::to_nearest_double(SC::Exact_rational((lower + upper) / 2)));
 }
 
+// Curves that begin in a point of a circle, with the same tangent, at other speeds: inside, where they do not matter, and outside.
+TEST(convex_hulls_2, forks)
+{
+  const Curve disk = circle(0, 0, 1);
+  const auto fork = [](double speed, double depth, double height, int sign) { return SC::bezier_curve<K>({{-1, 0}, {-1, sign * speed}, {-1 + depth, sign * height}}); };
+  for (const int sign : {1, -1})
+    for (const Curve& inside : {fork(0.125, 0.125, 0.25, sign), fork(0.25, 0.5, 0.25, sign), fork(0.375, 0.5, 0.25, sign), fork(0.5, 1, 0.25, sign), fork(0.75, 1.5, 0, sign)}) {
+      const Hull hull = SC::convex_hull(Curves{disk, inside});
+      EXPECT_TRUE(hull.is_complete());
+      EXPECT_EQ(count_edges(hull, Kind::SEGMENT), 0u);
+      expect_convex_cycle(hull);
+      expect_area(hull, pi);
+    }
+  const Hull greater = SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, 2}, {1, 2}}, {1, 1, 2})});   // a quarter of twice the radius
+  EXPECT_TRUE(greater.is_complete());
+  EXPECT_EQ(count_edges(greater, Kind::SEGMENT), 1u);
+  expect_convex_cycle(greater);
+  expect_area(greater, 1.5 * pi);
+  for (const double speed : {0.25, 1.0}) {   // the curvature is zero in the fork
+    const Hull straight = SC::convex_hull(Curves{disk, SC::bezier_curve<K>({{-1, 0}, {-1, speed}, {-1, 2 * speed}, {0, 2 * speed}})});
+    EXPECT_TRUE(straight.is_complete());
+    expect_convex_cycle(straight);
+    EXPECT_GT(straight.area().first, SC::Exact_rational(pi));
+  }
+}
+
 TEST(convex_hulls_2, degenerate)
 {
   const Hull segment = SC::convex_hull(SC::segment_curve(Point(0, 0), Point(2, 1)));

@@ -227,6 +227,25 @@ TEST(TrimmedOffsets, CurvesThatTouch)
   EXPECT_EQ(counts(curves), (Counts{1, 2, counts(curves).arcs}));
 }
 
+// Segments point to where their offset crosses that of a circle: to a disk that touches their ends in the middle of the half circle around these, and the circle at a rational parameter.
+TEST(TrimmedOffsets, CrossingsAheadOfEnds)
+{
+  const Offset offset = SC::trimmed_offset(Curves{SC::circle_curve(P(0, 0), 4), bezier({P(1, 4), P(2, 4)}), bezier({P(1, -4), P(2, -4)})}, 1);
+  EXPECT_EQ(counts(offset), (Counts{1, 1, counts(offset).arcs}));
+  for (const double y : {4.0, -4.0}) {
+    bool is_end_of_arc = false;
+    for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
+      is_end_of_arc = is_end_of_arc || CGAL::squared_distance(offset.polyline(arc, 1e-3).back(), P(3, y)) < 1e-24;
+    EXPECT_TRUE(is_end_of_arc);
+  }
+
+  // Around the upper segment from (3,4) on, as far as (1,4) + (cos a, sin a) on the circle of radius 5; twice, and two parts of that circle.
+  const double a = std::atan2(4, 1) + std::acos(3.5 / std::sqrt(17.0)), end = std::atan2(4 + std::sin(a), 1 + std::cos(a)), begin = std::atan2(4, 3);
+  const auto around = [](double x, double y, double from, double to) { return (to - from + x * (std::sin(to) - std::sin(from)) - y * (std::cos(to) - std::cos(from))) / 2; };
+  const double upper = around(2, 4, 0, pi / 2) + 5. / 2 + around(1, 4, pi / 2, a);
+  EXPECT_NEAR(area(offset), 2 * upper + 25. / 2 * (2 * (pi - end) + 2 * begin) - 9 * pi, tolerance);
+}
+
 // Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances, areas, and the numbers of components and holes.
 TEST(TrimmedOffsets, RoundDistances)
 {

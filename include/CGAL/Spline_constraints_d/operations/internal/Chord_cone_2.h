@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CHORD_CONE_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CHORD_CONE_2_H
 
-#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 
 #include <array>
 #include <utility>

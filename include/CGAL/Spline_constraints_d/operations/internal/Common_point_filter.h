@@ -8,6 +8,7 @@
 #include <CGAL/Spline_constraints_d/number/Mpfr_interval.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
 
 #include <CGAL/Uncertain.h>
 

@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -346,13 +345,6 @@ private:
     return result;
   }
 };
-
-inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
-{
-  std::vector<std::size_t> result(graph.fronts().size());
-  std::iota(result.begin(), result.end(), 0);
-  return result;
-}
 
 // The diagram of a graph of curves, on all fronts, or on those of some cycles. With a tag for parallel work, fronts are handed to all cores.
 template <class Concurrency_tag>

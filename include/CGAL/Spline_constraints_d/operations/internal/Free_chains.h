@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/internal/Free_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Touching_disk.h>
 #include <CGAL/Spline_constraints_d/operations/internal/undecided_parts.h>
 
 #include <algorithm>
@@ -128,8 +129,14 @@ private:
     switch (last.kind) {
     case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.front), last.kind);
     case Free_end::Kind::POINT: return piece_around_point(piece.front);
-    case Free_end::Kind::CONTACT: return piece_across(piece, center(piece.front, last));
-    case Free_end::Kind::TIE: return piece_with_disk(*last.disk);
+    case Free_end::Kind::CONTACT: {
+      const std::size_t across = piece_across(piece, center(piece.front, last));
+      return across != none ? across : piece_with_disk_of_contact(piece);
+    }
+    case Free_end::Kind::TIE: {
+      const std::size_t next = piece_with_disk(*last.disk, false);
+      return next != none ? next : piece_with_disk(*last.disk, true);
+    }
     default: return none;
     }
   }
@@ -167,24 +174,46 @@ private:
     return none;
   }
 
-  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal.
-  std::size_t piece_with_disk(const Exact_disk& disk) const
+  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal. On the other side, the disk may be known as one of a second contact only.
+  std::size_t piece_with_disk(const Exact_disk& disk, bool is_contact_allowed) const
   {
-    const auto has_disk = [&](std::size_t i, bool is_end) {
-      const Free_end& e = end(m_pieces[i], is_end);
-      return e.kind == Free_end::Kind::TIE && e.disk->center == disk.center;
+    const auto has_disk = [&](const Piece& piece, bool is_end) {
+      const Free_end& e = end(piece, is_end);
+      return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center : is_contact_allowed && e.kind == Free_end::Kind::CONTACT && touches_elsewhere(disk, piece.front, e.location);
     };
     std::vector<std::size_t> first, opposite;
     std::size_t last = 0;
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-      last += has_disk(i, true);
-      if (has_disk(i, false)) {
+      last += has_disk(m_pieces[i], true);
+      if (has_disk(m_pieces[i], false)) {
         first.push_back(i);
-        if (end(m_pieces[i], false).disk->way == Exact_pair{Exact_rational(-disk.way[0]), Exact_rational(-disk.way[1])})
+        if (const auto& other = end(m_pieces[i], false).disk; other && other->way == Exact_pair{Exact_rational(-disk.way[0]), Exact_rational(-disk.way[1])})
           opposite.push_back(i);
       }
     }
     return first.size() == 1 && last == 1 ? first[0] : opposite.size() == 1 ? opposite[0] : none;
+  }
+
+  // The piece that begins with an exact disk that is the one where another one ends in a second contact.
+  std::size_t piece_with_disk_of_contact(const Piece& piece) const
+  {
+    for (const Piece& other : m_pieces)
+      if (const auto& disk = end(other, false).disk; disk && touches_elsewhere(*disk, piece.front, end(piece, true).location))
+        return piece_with_disk(*disk, true);
+    return none;
+  }
+
+  // Whether a disk that touches one front touches a range of another one in another point, where the parameter is the simplest number.
+  bool touches_elsewhere(const Exact_disk& disk, std::size_t front, const Range& range) const
+  {
+    const Front& f = m_graph.fronts()[front];
+    const auto jet = m_graph.front_jet(f, range);
+    const Interval_pair center{interval_of(disk.center[0]), interval_of(disk.center[1])};
+    if (!Touching_disk::is_defined(m_graph, front) || certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
+      return false;
+    const Exact_rational u = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));
+    const Exact_pair way = exact_difference(disk.center, m_graph.exact_point_at(f, u)), normal = m_graph.exact_normal(f, u);
+    return way != disk.way && exact_dot(way, way) == exact_dot(disk.way, disk.way) && exact_cross(normal, way) == 0 && exact_dot(normal, way) > 0;
   }
 
   // The piece that begins where another one ends in a second contact.

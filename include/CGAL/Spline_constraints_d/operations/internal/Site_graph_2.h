@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -477,6 +478,13 @@ private:
 };
 
 using Site_graph_2 = Basic_site_graph_2<Interval>;
+
+inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
+{
+  std::vector<std::size_t> result(graph.fronts().size());
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
 
 } // namespace internal
 } // namespace Spline_constraints
