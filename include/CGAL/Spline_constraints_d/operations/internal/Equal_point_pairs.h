@@ -6,6 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/internal/polynomial_composition.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Patch_pair.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Spline_site.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 

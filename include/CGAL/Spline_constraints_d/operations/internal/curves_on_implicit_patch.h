@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVES_ON_IMPLICIT_PATCH_H
 
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curves_through_poles.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Implicit_patch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Joined_parts.h>

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_EQUATIONS_OF_PAIRS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_EQUATIONS_OF_PAIRS_H
 
+#include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Surface_equations.h>
 #include <CGAL/Spline_constraints_d/solver/internal/Curves_on_faces.h>
 

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_POWERS_OF_ZEROS_H
 
 #include <CGAL/Spline_constraints_d/function/Power_polynomial.h>
+#include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 
 #include <cstddef>
 #include <map>
