@@ -209,6 +209,16 @@ TEST(CrossingCurves, ThinLens)
   EXPECT_EQ(number_of_parts(diagram), 9U);
 }
 
+// A parabola that ends with a tangent parallel to a segment, so near to it that doubles hardly tell the gap: disks that touch it near its vertex are nearly those of its curvature, and touch the segment or the vertex.
+TEST(CrossingCurves, ThinGap)
+{
+  const Curves curves{bezier({P(0, 0), P(8, 0)}), bezier({P(4, 1e-13), P(5, 1e-13), P(6, 1)})};
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  expect_right(diagram, curves, 2);
+  EXPECT_EQ(number_of_parts(diagram), 2U);
+  EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_resolved && v.radius < 1e-12; }), 1);
+}
+
 // Common axes of curves that cross at parameters which are not rational: a disk with its center on one touches two arcs that end there, and a third one.
 TEST(CrossingCurves, SymmetricCurves)
 {

@@ -4,6 +4,8 @@
 // The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
 #include "voronoi_checks.h"
 
+#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
@@ -232,6 +234,49 @@ void expect_nothing_left_out(const Curves& curves)
 TEST(FineLevel, SweepsLeaveNothingOut)
 {
   expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60));
+}
+
+// Over random parts of the fronts of cubics, disks that touch a segment or a circle, from both sides: their curvature is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over parts hold those of points.
+template <SC::internal::Enclosing_number Interval>
+void expect_expansions_of_tangent_disks()
+{
+  const Curves curves{SC::bezier_curve(std::vector{P(0, 0), P(8, 0)}), SC::circle_curve(P(4, 5), 2), SC::bezier_curve(std::vector{P(1, 1), P(3, 3), P(5, -1), P(7, 2)}), SC::bezier_curve(std::vector{P(3, 5), P(4, 6), P(5, 4), P(5, 5)})};
+  const SC::Upward_rounding_guard guard;
+  const SC::internal::Basic_site_graph_2<Interval> graph(*SC::internal::site_graph(curves, std::vector<P>()));
+  const SC::internal::Basic_disk_curvature<Interval> curvature(graph);
+  const auto meet = [](const Interval& x, const Interval& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
+  std::mt19937 random(1);
+  std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
+  for (int i = 0; i < 2000; ++i) {
+    const std::size_t f = random() % graph.fronts().size(), arc = random() % graph.arcs().size();
+    const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)), begin = std::uniform_real_distribution<double>(0, 1 - width)(random);
+    const auto part_over = [&](const Range& range) { return curvature.part(f, range); };
+    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Disk_contact::Kind::ARC, arc}); };
+    const Range range{begin, begin + width};
+    const auto disks = disks_over(range);
+    if (graph.fronts()[f].is_fan || graph.fronts()[f].object == arc || !disks)
+      continue;
+    const Interval shift = SC::internal::interval_of<Interval>(range) - Interval(range.middle());
+    const double u = range.begin + std::uniform_real_distribution<double>(0, 1)(random) * width, step = 1e-4 * width;
+    const auto there = disks_over({u, u}), before = disks_over({u - step, u - step}), behind = disks_over({u + step, u + step});
+    ASSERT_TRUE(there && before && behind);
+    EXPECT_TRUE(meet(there->value(), disks->value()) && meet(there->value(), disks->expansion().value(shift)));
+    EXPECT_TRUE(meet(there->expansion().slope, disks->expansion().derivative(shift)) && meet(there->expansion().second_derivative, disks->expansion().second_derivative));
+    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Disk_contact::Kind::ARC, arc}, {0, 1}});
+    EXPECT_TRUE(meet(greatest.curvature, there->value()));
+    EXPECT_LT(there->value().sup() - there->value().inf(), 1e-9 * there->value().sup());
+    const double quotient = (behind->value() - before->value()).sup() / (2 * step), rounding = (there->value().sup() - there->value().inf()) / step, size = std::abs(disks->expansion().slope.inf()) + std::abs(disks->expansion().slope.sup());
+    EXPECT_NEAR(quotient, there->expansion().slope.sup(), 1e-3 * size + 4 * rounding);
+    ++found[graph.arcs()[arc].is_straight() ? 0 : 1];
+  }
+  EXPECT_GT(found[0], 20U);
+  EXPECT_GT(found[1], 20U);
+}
+
+TEST(FineLevel, DisksThatTouchLinesAndCircles)
+{
+  expect_expansions_of_tangent_disks<SC::internal::Interval>();
+  expect_expansions_of_tangent_disks<Fine_interval>();
 }
 
 // A curvature with two equal maxima, which no bounds tell apart: 1 - 8 (v - a)^2 (v - b)^2.

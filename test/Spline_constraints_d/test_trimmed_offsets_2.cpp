@@ -246,6 +246,46 @@ TEST(TrimmedOffsets, CrossingsAheadOfEnds)
   EXPECT_NEAR(area(offset), 2 * upper + 25. / 2 * (2 * (pi - end) + 2 * begin) - 9 * pi, tolerance);
 }
 
+// The least and greatest distance from curves of points on the boundary of an offset.
+std::array<double, 2> distances(const Offset& offset, const Curves& curves)
+{
+  constexpr int samples = 1000;
+  std::vector<P> points;
+  for (const Curve& curve : curves)
+    for (int k = 0; k <= samples; ++k)
+      points.push_back(curve(curve.domain(0).first + (curve.domain(0).second - curve.domain(0).first) * k / samples));
+  std::array<double, 2> result{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t arc = 0; arc < offset.arcs().size(); ++arc)
+    for (const P& p : offset.polyline(arc, 1e-3)) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const P& q : points)
+        least = (std::min)(least, CGAL::squared_distance(p, q));
+      result = {(std::min)(result[0], std::sqrt(least)), (std::max)(result[1], std::sqrt(least))};
+    }
+  return result;
+}
+
+// A curve that begins in the inside of a segment, at a parameter that no double is, nearly in its direction: disks around the begin hold the segment, which is on a line through it.
+TEST(TrimmedOffsets, BeginInSegment)
+{
+  const Curves curves{bezier({P(2.6, 0.4), P(2.5, 1.1)}), bezier({P(2.54, 0.8200000000000001), P(2.59, 0.47), P(5.2, 6.9)})};
+  const auto [least, greatest] = distances(SC::trimmed_offset(curves, 0.3), curves);
+  EXPECT_GT(least, 0.3 - 1e-9);   // points of chords are farther away
+  EXPECT_LT(greatest, 0.3 + 1e-3);
+}
+
+// A tangent of two circles, with ends that are rounded: it misses the circles by 10^-16, or ends inside of them.
+TEST(TrimmedOffsets, TangentWithRoundedEnds)
+{
+  const Curves curves{SC::circle_curve(P(0.3, 0.2), 1.5), SC::circle_curve(P(8.6, 0.2), 2.5), bezier({P(0.11927710843373496, 1.6890732810926157), P(8.2987951807228928, 2.6817888018210261)})};
+  const Offset offset = SC::trimmed_offset(curves, 0.5);
+  const Counts found = counts(offset);
+  EXPECT_EQ(found, (Counts{1, 2, found.arcs}));   // both circles inside, and all around
+  const auto [least, greatest] = distances(offset, curves);
+  EXPECT_GT(least, 0.5 - 1e-9);
+  EXPECT_LT(greatest, 0.5 + 1e-3);
+}
+
 // Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances, areas, and the numbers of components and holes.
 TEST(TrimmedOffsets, RoundDistances)
 {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -127,26 +128,31 @@ struct Basic_curvature_quotient
   }
 
   /*
-  As above, within the mean value forms around the middle of the ranges, and with
+  As above, within the mean value forms around the middle of the ranges. Each bound is as good as the others: f_v - k q_v has terms that cancel, as where disks are nearly those of the curvature of the arc, of which the mean value form shows the difference if f_vv - k q_vv is known. Beside a front
 
     k_u = growth k + 2 (turn + speed k) p / q.
 
   Where disks are nearly those of the curvature of the front, as next to a smooth joint and on its own arc, turn + speed k is small, which differences of f_u and k q_u do not show.
   */
-  Curvature_bounds bounds_beside_front(const Front_turn& front, const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v) const
+  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v, const std::optional<Front_turn>& front = std::nullopt) const
   {
     Curvature_bounds k = bounds();
-    if (!(q.inf() > 0 && std::isfinite(front.turn.sup() - front.turn.inf())))
+    if (!(q.inf() > 0 && std::isfinite(k.dvv.sup() - k.dvv.inf())))
       return k;
-    const Interval two(2), s = front.p / q, sv = (front.pv - s * qv) / q;
+    const Interval two(2);
+    const bool is_turn_known = front && std::isfinite(front->turn.sup() - front->turn.inf());
     const auto tighten = [&] {
-      k.du = common_part(k.du, front.growth * k.value + two * (front.turn + front.speed * k.value) * s);
+      k.du = common_part(k.du, (fu - k.value * qu) / q);
       k.value = common_part(k.value, middle.value + k.du * shift_u + factor * k.dv * shift_v);
       k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q);
-      k.duv = common_part(k.duv, front.growth * k.dv + two * (front.speed * k.dv * s + (front.turn + front.speed * k.value) * sv));
+      k.duv = common_part(k.duv, (fuv - k.du * qv - k.dv * qu - k.value * quv) / q);
+      if (is_turn_known) {
+        const Interval s = front->p / q, sv = (front->pv - s * qv) / q, turn = front->turn + front->speed * k.value;
+        k.du = common_part(k.du, front->growth * k.value + two * turn * s);
+        k.duv = common_part(k.duv, front->growth * k.dv + two * (front->speed * k.dv * s + turn * sv));
+      }
       k.dv = common_part(k.dv, middle.dv + k.duv * shift_u + k.dvv * shift_v);
     };
-    // Each bound is as good as the others: f_v - k q_v has terms that cancel, of which the mean value form shows the difference if f_vv - k q_vv is known.
     constexpr double most_share = 0.5;   // of the width that is left
     double width = std::numeric_limits<double>::infinity();
     const auto is_better = [&] {

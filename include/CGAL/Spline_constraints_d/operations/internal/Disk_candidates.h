@@ -40,7 +40,7 @@ class Basic_disk_candidates
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Singular_ends = Basic_singular_ends<Interval>;
 
-  static constexpr double least_width = 0x1p-46, least_gain = 4;
+  static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-46 : 0x1p-54, least_gain = 4;
 
   const Site_graph_2& m_graph;
   const Site_tree_2& m_tree;

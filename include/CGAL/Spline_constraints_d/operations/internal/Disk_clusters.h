@@ -226,7 +226,7 @@ private:
     return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) || (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
   }
 
-  // The end of a segment that is nearest to the vertex of a fan, if that is on its line: disks through the segment are the smaller, the nearer to the vertex they pass through it.
+  // The end of a segment that is nearest to the vertex of a fan, if that is on its line, and not in the segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
   std::optional<bool> nearest_end_on_line_through_fan(std::size_t arc) const
   {
     const Site_arc_2& segment = m_graph.arcs()[arc];
@@ -235,7 +235,7 @@ private:
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
     const typename Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];
     const Interval_pair to_begin = m_graph.vertices()[begin].point - fan.point, to_end = m_graph.vertices()[end].point - fan.point;
-    if (begin == m_front.object || end == m_front.object || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(fan.exact_point))
+    if (begin == m_front.object || end == m_front.object || certain_sign(dot(to_begin, to_end)) <= 0 || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(fan.exact_point))
       return std::nullopt;
     const int order = certain_sign(squared_norm(to_begin) - squared_norm(to_end));
     return order == 0 ? std::nullopt : std::optional(order > 0);

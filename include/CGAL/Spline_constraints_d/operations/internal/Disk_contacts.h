@@ -4,11 +4,13 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_DISK_CONTACTS_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Disk_branch.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_clusters.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Mirrored_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/compared_points.h>
 #include <CGAL/Spline_constraints_d/operations/internal/exact_disk_curvatures.h>
+#include <CGAL/Spline_constraints_d/operations/internal/sign_by_tangent_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/touches_line.h>
 
 #include <algorithm>
@@ -23,26 +25,6 @@
 namespace CGAL {
 namespace Spline_constraints {
 namespace internal {
-
-// What happens between two stretches of a front.
-enum class Disk_event { NONE, CROSSING, JOINT, TIP, UNRESOLVED };
-
-// A point that disks may touch, as a function of the parameter of the front.
-struct Disk_branch : Located_contact
-{
-  // Where k_v at a point of the arc, or at the point of the front itself, may change its sign over the part: the contact where it is positive, and where it is negative.
-  struct Move
-  {
-    Disk_event event;
-    std::size_t arc;
-    double parameter;   // not used at tips
-    Located_contact positive, negative;
-    // Where two arcs join nearly smoothly: their ends, that of the negative contact first; k_v has the same sign at both of them, up to a small range, in which disks may touch the vertex.
-    std::optional<std::array<Arc_end, 2>> joined_ends{};
-    std::optional<Located_contact> between{};
-  };
-  std::optional<Move> move{};
-};
 
 /*
 The branches of contacts over a part of a front that are left when candidates have been pruned.
@@ -167,8 +149,11 @@ public:
     const auto x = contact_at(a, u), y = contact_at(b, u);
     if (!x || !y)
       return 0;
-    const int order_of_points = certain_sign(difference_of_points(m_graph, m_curvature, part, *x, *y).at_middle);
-    return order_of_points != 0 ? order_of_points : certain_sign(maximum(part, *x) - maximum(part, *y));
+    const auto sign_in = [](const Curvature_expansion& difference) { return certain_sign(difference.at_middle); };
+    if (const int order_of_points = sign_in(difference_of_points(m_graph, m_curvature, part, *x, *y)); order_of_points != 0)
+      return order_of_points;
+    const int order = certain_sign(maximum(part, *x) - maximum(part, *y));
+    return order != 0 ? order : sign_by_tangent_disks(m_graph, m_curvature, part, *x, *y, sign_in);
   }
 
   // The contacts that disks have before and after one that touches all of them: their curvature there grows least and most.
@@ -198,20 +183,26 @@ public:
   {
     if (!a.move && !b.move && certain_sign(difference_of_points(m_graph, m_curvature, m_part, a, b).slope) != 0)
       return true;
-    return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && certain_sign((expansion(a) - expansion(b)).derivative(shift_from_middle())) != 0);
+    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion& difference) { return certain_sign(difference.derivative(shift)); };
+    return certain_sign(slope(a) - slope(b)) != 0 || (!a.move && !b.move && (sign_in(expansion(a) - expansion(b)) != 0 || sign_by_tangent_disks(m_graph, m_curvature, m_part, a, b, sign_in) != 0));
   }
 
 private:
   // Which of two branches has the greater curvature throughout the part, 0 if that is not certain.
   int order_over_part(const std::pair<Disk_branch, std::vector<Curvature_expansion>>& a, const std::pair<Disk_branch, std::vector<Curvature_expansion>>& b) const
   {
-    const Interval shift = shift_from_middle();
-    if (const int order = a.first.move || b.first.move ? 0 : difference_of_points(m_graph, m_curvature, m_part, a.first, b.first).sign(shift); order != 0)
+    const auto sign_in = [shift = shift_from_middle()](const Curvature_expansion& difference) { return difference.sign(shift); };
+    const bool do_move = a.first.move || b.first.move;
+    if (const int order = do_move ? 0 : sign_in(difference_of_points(m_graph, m_curvature, m_part, a.first, b.first)); order != 0)
       return order;
     const auto is_below = [&](const auto& lower, const auto& upper) {
-      return std::all_of(lower.begin(), lower.end(), [&](const auto& x) { return std::any_of(upper.begin(), upper.end(), [&](const auto& y) { return (x - y).sign(shift) < 0; }); });
+      return std::all_of(lower.begin(), lower.end(), [&](const auto& x) { return std::any_of(upper.begin(), upper.end(), [&](const auto& y) { return sign_in(x - y) < 0; }); });
     };
-    return is_below(a.second, b.second) ? -1 : is_below(b.second, a.second) ? 1 : 0;
+    if (is_below(a.second, b.second))
+      return -1;
+    if (is_below(b.second, a.second))
+      return 1;
+    return do_move ? 0 : sign_by_tangent_disks(m_graph, m_curvature, m_part, a.first, b.first, sign_in);
   }
 
   Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }

@@ -57,7 +57,7 @@ class Basic_disk_curvature
 
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
   static constexpr double accurate = 0x1p-46;   // the relative error of a difference of points that cannot be much smaller
-  static constexpr double near = 0x1p-10;   // the ends of an arc, where differences of points are not accurate
+  static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
   const Scaled_sites* m_scaled;   // none, or some sites, but none of a front in question
@@ -100,11 +100,13 @@ public:
     const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)), k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
     if (is_arc_scaled(arc))
       return of_scaled_disk(k, part);
-    if (!is_small || !is_beside_front(part.front, arc))
-      return with_what_is_common(k.bounds(), part, arc, range, jet, middle, jet_in_middle);
+    const Curvature_bounds bounds = k.bounds();
+    const bool is_maximum_known = certain_sign(bounds.dv) != 0 || bounds.dvv.sup() < 0;   // if there is one
+    if (is_maximum_known && !(is_small && is_beside_front(part.front, arc)))
+      return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
     const Site_arc_2& y = m_graph.arcs()[arc];
-    const Front_turn turn = Front_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]);
-    return with_what_is_common(k.bounds_beside_front(turn, in_middle.bounds(), shift_u, shift_v), part, arc, range, jet, middle, jet_in_middle);
+    const auto turn = m_graph.fronts()[part.front].is_fan ? std::nullopt : std::optional(Front_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
+    return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet, middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
@@ -114,30 +116,22 @@ public:
     const Interval_pair zero{Interval(0), Interval(0)};
     if (is_vertex_scaled(vertex))
       return of_scaled_disk(quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
-    Curvature_bounds result = quotient(part.jet, way(part, vertex), zero, zero, Interval(1)).bounds();
+    const auto through_vertex = [&](const Front_part& x, const Interval_pair& way) { return quotient(x.jet, way, zero, zero, Interval(1)); };
+    const Interval_pair whole_way = way(part, vertex);
+    Curvature_bounds result;
+    if (front.is_fan || part.range.is_number())
+      result = through_vertex(part, whole_way).bounds();
+    else {
+      const double u = part.range.middle();
+      const Front_part middle = this->part(part.front, {u, u});
+      const Curvature_bounds in_middle = through_vertex(middle, way(middle, vertex)).bounds();
+      result = through_vertex(part, whole_way).bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0), Front_turn::beside(part.jet, whole_way, zero));
+    }
     if (!front.is_fan)
       for (const bool is_end : {false, true})
         if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
           add_by_front(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
     return result;
-  }
-
-  // The second derivative by the parameter of the front, for points in a box that is not scaled, where the curvature and its first derivative are enclosed.
-  Interval second_derivative(const Front_part& part, const Interval_pair& box, const Curvature_bounds& k) const
-  {
-    const Front& front = m_graph.fronts()[part.front];
-    const auto& [x, xu, n, nu] = part.jet;
-    Interval_pair xuu{Interval(0), Interval(0)}, nuu = xuu;   // of a fan all derivatives are zero, and its normal is linear
-    if (!front.is_fan) {
-      const Site_arc_2& arc = m_graph.arcs()[front.object];
-      const Curve_jet jet = arc.jet(part.range, 3);
-      xuu = jet[2];
-      nuu = turned_left(arc.has_singular_end() ? arc.second_derivative_of_tangent(part.range) : jet[3]);
-    }
-    const Interval two(2), side(front.is_reversed ? -1 : 1);
-    const Interval_pair d = box - x;
-    const Interval q = squared_norm(d), qu = -two * dot(d, xu), quu = two * (squared_norm(xu) - dot(d, xuu)), fuu = two * (side * dot(nuu, d) - dot(nu, xu));
-    return q.inf() > 0 ? (fuu - k.value * quu - two * k.du * qu) / q : any_number<Interval>();
   }
 
   // The disks that pass through points of a box. Those of half-planes do not matter.

@@ -4,7 +4,10 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_LOCATED_CONTACT_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_LOCATED_CONTACT_H
 
+#include <CGAL/Spline_constraints_d/operations/internal/Curvature_expansion.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Tangent_disks.h>
+#include <CGAL/Spline_constraints_d/operations/internal/second_derivatives.h>
 
 #include <algorithm>
 #include <array>
@@ -172,6 +175,13 @@ Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc
   return is_known(result) ? result : bounded;
 }
 
+// The disks of a part that touch a contact, if it is on a line or circle, and certainly in the inside of its arc.
+template <Enclosing_number Interval>
+std::optional<Basic_tangent_disks<Interval>> tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Disk_contact& contact)
+{
+  return contact.kind == Disk_contact::Kind::ARC ? Basic_tangent_disks<Interval>::over(graph, curvature, part, contact.index) : std::nullopt;
+}
+
 // The curvature of the disk that touches a front in one point, and a contact.
 template <Enclosing_number Interval>
 Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
@@ -190,7 +200,10 @@ Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, c
 {
   const std::size_t index = located.contact.index;
   switch (located.contact.kind) {
-  case Disk_contact::Kind::ARC: return curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
+  case Disk_contact::Kind::ARC: {
+    const auto tangent = tangent_disks(graph, curvature, part, located.contact);   // in the range, or lower than something else
+    return tangent ? tangent->expansion().slope : curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
+  }
   case Disk_contact::Kind::VERTEX: return curvature(part, index).du;
   case Disk_contact::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
   default: return Interval(0);
@@ -205,7 +218,7 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
   if (located.contact.kind == Disk_contact::Kind::NOTHING)
     return Interval(0);
   if (located.contact.kind == Disk_contact::Kind::VERTEX && !curvature.is_vertex_scaled(index))
-    return curvature.second_derivative(part, graph.vertices()[index].point, curvature(part, index));
+    return second_derivative_of_curvature(graph, part, graph.vertices()[index].point, curvature(part, index));
   if (located.contact.kind != Disk_contact::Kind::ARC || curvature.is_arc_scaled(index))
     return any_number<Interval>();
   const Basic_curve_jet<Interval> jet = graph.arcs()[index].jet(located.range);
@@ -217,30 +230,15 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
   const Interval by_contact = k.factor * CGAL::square(k.duv) / -k.dvv;
   if (!(by_contact.inf() >= 0 && std::isfinite(by_contact.sup())))
     return any_number<Interval>();
-  return curvature.second_derivative(part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));
+  return second_derivative_of_curvature(graph, part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));
 }
 
-// The curvature of the disk that touches a contact, and its derivative, in the middle of a part; and its derivatives over the part.
-template <Enclosing_number Interval>
-struct Basic_curvature_expansion
-{
-  using Curvature_expansion = Basic_curvature_expansion<Interval>;
-
-  Interval at_middle = any_number<Interval>(), slope_at_middle = any_number<Interval>(), slope = any_number<Interval>(), second_derivative = any_number<Interval>();
-
-  Curvature_expansion operator-(const Curvature_expansion& other) const { return {at_middle - other.at_middle, slope_at_middle - other.slope_at_middle, slope - other.slope, second_derivative - other.second_derivative}; }
-
-  // Over the part, where the parameter is shifted from the middle.
-  Interval value(const Interval& shift) const { return common_part(at_middle + slope * shift, at_middle + slope_at_middle * shift + second_derivative * CGAL::square(shift) / Interval(2)); }
-  int sign(const Interval& shift) const { return certain_sign(value(shift)); }
-  Interval derivative(const Interval& shift) const { return common_part(slope, slope_at_middle + second_derivative * shift); }
-};
-
-using Curvature_expansion = Basic_curvature_expansion<Interval>;
-
+// By the disks of one contact; where it is on a line or circle, by those that touch that.
 template <Enclosing_number Interval>
 Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
 {
+  if (const auto tangent = tangent_disks(graph, curvature, part, located.contact))
+    return tangent->expansion();
   const double u = part.range.middle();
   const Basic_front_part<Interval> middle = curvature.part(part.front, {u, u});
   const Basic_attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
