@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -20,7 +20,8 @@
 // - small: diagrams of one to three cubics in a square, and one to three others whose size is 2^-10 to 2^-29 of that; the same as of crossings.
 // - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
 // - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it, with its tangent there, forward or backward; the same.
-// - fork_offsets: of the same curves, with three distances; the distances of their points, and what they cover, beside samples.
+// - near_forks: diagrams of a slanted segment or a circle with decimal numbers, and one or two curves that begin in points of it, but for rounding; the same.
+// - fork_offsets: of the curves of forks, with three distances; the distances of their points, and what they cover, beside samples.
 // - fork_hulls: of the same curves; the same as of hulls.
 // - fork_sectors: of the first two of the same curves, and their bisectors; the same as of sectors.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
@@ -294,6 +295,7 @@ Answer mixed(unsigned scene)
 
 // A point of a curve, and the tangent there.
 using Fork = std::pair<Point, Vector>;
+using Trunk = std::pair<Curves, std::function<Fork()>>;   // a curve, and where others leave it
 
 Fork fork_at(double t, std::vector<Point> control_points)
 {
@@ -305,8 +307,15 @@ Fork fork_at(double t, std::vector<Point> control_points)
   return {control_points[0] + t * way, degree * way};
 }
 
+Fork fork_of_circle(std::mt19937& random, const Point& center, double radius)
+{
+  const std::array<Vector, 4> axes{Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)};
+  const std::size_t k = random() % 4;
+  return Fork(center + radius * axes[k], axes[(k + 1) % 4]);
+}
+
 // A segment on which points are, exactly, a quadratic or cubic whose coordinates are exact at some parameters, or a circle; and where it forks.
-std::pair<Curves, std::function<Fork()>> trunk(std::mt19937& random, unsigned scene, const std::function<Point()>& dyadic_point)
+Trunk trunk(std::mt19937& random, unsigned scene, const std::function<Point()>& dyadic_point)
 {
   if (scene % 4 == 0) {
     const double unit = scene % 8 == 0 ? 0.1 : 0x1p-50;
@@ -315,11 +324,7 @@ std::pair<Curves, std::function<Fork()>> trunk(std::mt19937& random, unsigned sc
   if (scene % 4 == 3) {
     const Point center = dyadic_point();
     const double radius = 0.125 * (4 + static_cast<double>(random() % 16));
-    return {{SC::circle_curve(center, radius)}, [&random, center, radius] {
-              const std::array<Vector, 4> axes{Vector(1, 0), Vector(0, 1), Vector(-1, 0), Vector(0, -1)};
-              const std::size_t k = random() % 4;
-              return Fork(center + radius * axes[k], axes[(k + 1) % 4]);
-            }};
+    return {{SC::circle_curve(center, radius)}, [&random, center, radius] { return fork_of_circle(random, center, radius); }};
   }
   std::vector<Point> points;
   for (unsigned k = 0; k < 2 + scene % 4; ++k)
@@ -327,7 +332,24 @@ std::pair<Curves, std::function<Fork()>> trunk(std::mt19937& random, unsigned sc
   return {{SC::bezier_curve(points)}, [&random, points] { return fork_at(0.25 * (1 + static_cast<double>(random() % 3)), points); }};
 }
 
-// A trunk, and one to three curves that fork.
+// A trunk, and some curves that fork.
+Curves with_forks(std::mt19937& random, Trunk trunk, unsigned count, unsigned least_points, const std::function<Point()>& any_point)
+{
+  auto& [curves, fork] = trunk;
+  for (; count > 0; --count) {
+    const auto [place, tangent] = fork();
+    const Vector way = (random() % 2 ? 0.5 : -0.5) * tangent;
+    std::vector<Point> points{place, place + way};
+    if (random() % 4 == 0)
+      points.push_back(place + 2 * way);   // no curvature there, or a segment
+    for (unsigned others = random() % 2 + least_points; others > 0; --others)
+      points.push_back(any_point());
+    curves.push_back(SC::bezier_curve(points));
+  }
+  return curves;
+}
+
+// One to three of them.
 Curves forking_curves(unsigned scene)
 {
   std::mt19937 random(scene);
@@ -335,21 +357,36 @@ Curves forking_curves(unsigned scene)
     const double x = std::round(number(random, 0, 512)) / 64, y = std::round(number(random, 0, 512)) / 64;
     return Point(x, y);
   };
-  auto [curves, fork] = trunk(random, scene, dyadic_point);
-  for (unsigned count = 1 + random() % 3; count > 0; --count) {
-    const auto [place, tangent] = fork();
-    const Vector way = (random() % 2 ? 0.5 : -0.5) * tangent;
-    std::vector<Point> points{place, place + way};
-    if (random() % 4 == 0)
-      points.push_back(place + 2 * way);   // no curvature there, or a segment
-    for (unsigned others = random() % 2 + (scene % 4 == 0); others > 0; --others)
-      points.push_back(dyadic_point());
-    curves.push_back(SC::bezier_curve(points));
+  const Trunk from = trunk(random, scene, dyadic_point);
+  const unsigned count = 1 + random() % 3;
+  return with_forks(random, from, count, scene % 4 == 0, dyadic_point);
+}
+
+// One or two curves that leave a slanted segment or a circle with decimal numbers, in points that are on it but for rounding.
+Curves nearly_forking_curves(unsigned scene)
+{
+  std::mt19937 random(scene);
+  const auto decimal = [&](double begin, double end) { return std::round(number(random, begin, end) * 10) * 0.1; };
+  const std::function<Point()> decimal_point = [&] {
+    const double x = decimal(0, 8), y = decimal(0, 8);
+    return Point(x, y);
+  };
+  Trunk from;
+  if (scene % 2 == 0) {
+    const Point begin = decimal_point();
+    const Vector way = decimal_point() - begin;
+    from = {{SC::bezier_curve(std::vector{begin, begin + way})}, [&random, begin, way] { return Fork(begin + 0.1 * (1 + static_cast<double>(random() % 9)) * way, way); }};
+  } else {
+    const Point center = decimal_point();
+    const double radius = decimal(0.5, 2);
+    from = {{SC::circle_curve(center, radius)}, [&random, center, radius] { return fork_of_circle(random, center, radius); }};
   }
-  return curves;
+  return with_forks(random, from, 1 + scene / 2 % 2, scene % 2 == 0, decimal_point);
 }
 
 Answer forks(unsigned scene) { return answer_of_diagram(forking_curves(scene)); }
+
+Answer near_forks(unsigned scene) { return answer_of_diagram(nearly_forking_curves(scene)); }
 
 bool covers(const CGAL::Polygon_with_holes_2<K>& polygon, const Point& p)
 {
@@ -730,7 +767,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"near_forks", {near_forks, 40}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -738,7 +775,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
