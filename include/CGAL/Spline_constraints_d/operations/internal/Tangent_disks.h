@@ -66,7 +66,7 @@ public:
   const Interval& value() const { return m_value; }
   const Curvature_expansion& expansion() const { return m_expansion; }
 
-  // The difference of this curvature f / q and another one, times q: where the disks are small beside those of the part, derivatives of f and q change less than those of f / q.
+  // The difference of this curvature f / q and another one, times q: where the front is next to the line or circle, and q small, derivatives of f and q change less than those of f / q.
   Curvature_expansion difference(const Curvature_expansion& other) const
   {
     const auto value = [](const Quotient& x, const Interval& k) { return x.f - k * x.q; };
