@@ -3,7 +3,7 @@
 
 // What planar operations say of random scenes, and whether dense samples agree: a summary with times. The scenes are the same ones each time.
 //
-//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
+//   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
 //
 // Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
@@ -21,6 +21,7 @@
 // - mixed: diagrams of segments, quadratics, cubics, ellipses, points, copies and chains that touch in a joint, with integers as coordinates and common ends; the same.
 // - forks: diagrams of a segment, a quadratic, a cubic or a circle, and one to three curves that begin in points of it, with its tangent there, forward or backward; the same.
 // - near_forks: diagrams of a slanted segment or a circle with decimal numbers, and one or two curves that begin in points of it, but for rounding; the same.
+// - joined_forks: of the same curves after with_exact_joints().
 // - fork_offsets: of the curves of forks, with three distances; the distances of their points, and what they cover, beside samples.
 // - fork_hulls: of the same curves; the same as of hulls.
 // - fork_sectors: of the first two of the same curves, and their bisectors; the same as of sectors.
@@ -31,6 +32,7 @@
 #include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/exact_joints_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 #include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
 #include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
@@ -387,6 +389,13 @@ Curves nearly_forking_curves(unsigned scene)
 Answer forks(unsigned scene) { return answer_of_diagram(forking_curves(scene)); }
 
 Answer near_forks(unsigned scene) { return answer_of_diagram(nearly_forking_curves(scene)); }
+
+Answer joined_forks(unsigned scene)
+{
+  constexpr double most_distance = 1e-12, most_angle = 1e-12;
+  const auto joined = SC::with_exact_joints<CGAL::Simple_cartesian<SC::Exact_rational>>(nearly_forking_curves(scene), most_distance, most_angle).curves;
+  return answer_of_diagram(joined, Curves(joined.begin(), joined.end()));
+}
 
 bool covers(const CGAL::Polygon_with_holes_2<K>& polygon, const Point& p)
 {
@@ -767,7 +776,7 @@ struct Survey
   unsigned scenes;
 };
 
-const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"near_forks", {near_forks, 40}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
+const std::map<std::string, Survey> surveys{{"offsets", {offset, 98}}, {"lines", {lines, 600}}, {"crossings", {crossings, 70}}, {"cusps", {cusps, 120}}, {"copies", {copies, 60}}, {"hulls", {hull, 220}}, {"kernels", {kernel, 100}}, {"bisectors", {bisector, 200}}, {"sectors", {sectors, 340}}, {"visible", {visible, 50}}, {"circles", {circles, 40}}, {"small", {small, 60}}, {"mixed", {mixed, 200}}, {"forks", {forks, 240}}, {"near_forks", {near_forks, 40}}, {"joined_forks", {joined_forks, 40}}, {"fork_offsets", {fork_offsets, 240}}, {"fork_hulls", {fork_hulls, 240}}, {"fork_sectors", {fork_sectors, 240}}, {"rotated", {rotated, 30}}, {"smoothed", {smoothed, 30}}};
 
 } // namespace
 
@@ -775,7 +784,7 @@ int main(int argc, char* argv[])
 {
   const auto survey = surveys.find(argc > 1 ? argv[1] : "");
   if (survey == surveys.end()) {
-    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
+    std::cerr << "survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]\n";
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;

@@ -47,6 +47,7 @@ class Basic_disk_candidates
   Disk_curvature m_curvature;
   Singular_ends m_singular_ends;
   const Cusps_2* m_cusps;   // none, or those that are known
+  mutable std::size_t m_number_of_bounds = 0;
 
 public:
   static constexpr std::size_t most_candidates = 200;   // more are left only where too many cannot be told apart
@@ -54,6 +55,9 @@ public:
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
   Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_cusps(cusps) {}
+
+  // How many candidates have been bounded so far: where most of the work is.
+  std::size_t number_of_bounds() const { return m_number_of_bounds; }
 
   std::vector<Disk_candidate> all() const
   {
@@ -217,6 +221,7 @@ private:
   // Bounds the curvature for a candidate, and learns from it what is attained.
   void bound(const Front_part& part, const Front_part& middle, Disk_candidate& candidate, Level& attained) const
   {
+    ++m_number_of_bounds;
     Curvature_bounds& k = candidate.bounds;
     if (candidate.kind == Disk_candidate::Kind::NODE) {
       k.value = m_curvature.through_box(part, box(candidate.index));

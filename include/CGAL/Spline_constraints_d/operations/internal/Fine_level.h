@@ -32,6 +32,7 @@ class Fine_level
 public:
   static constexpr int most_nodes = 50, most_nodes_of_many = 16;   // of sweeps along a front, and of one of them with many candidates
   static constexpr std::size_t most_candidates = 100;              // that are not many
+  static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;   // of candidates along a front, where what was proved in surveys needed 7500 at most, and what a try costs besides
 
   explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 

@@ -85,6 +85,7 @@ class Basic_maximal_disks
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of a front
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
+  static constexpr std::size_t most_bounds = 1500000;                   // of candidates: what was proved in surveys needed a third of that at most
 
   template <Enclosing_number Other>
   friend class Basic_maximal_disks;
@@ -99,6 +100,7 @@ class Basic_maximal_disks
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
+  std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
 public:
   Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Cusps_2& cusps, const Fine_level* fine_level = nullptr)
@@ -119,7 +121,9 @@ public:
     m_unresolved.reset();
     m_nodes = 0;
     m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
+    m_most_bounds = m_candidates.number_of_bounds() + most_bounds;
     m_fine_nodes = 0;
+    m_fine_bounds = 0;
     m_places = 0;
     Range range;
     for (const bool end : {false, true})
@@ -136,11 +140,12 @@ public:
     return std::move(m_stretches);
   }
 
-  // Sweeps a part of a front, which is divided no more often than some number. Returns whether all of it is resolved.
-  bool resolve_part(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes)
+  // Sweeps a part of a front, which is divided no more often than some number, nor when more candidates have been bounded than another one. Returns whether all of it is resolved.
+  bool resolve_part(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes, std::size_t bounds)
   {
     m_slopes = &slopes;
     m_most_nodes = nodes;
+    m_most_bounds = bounds;
     sweep(front, range, std::move(candidates));
     const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
     return !m_unresolved && std::all_of(m_stretches.begin(), m_stretches.end(), is_resolved);
@@ -173,7 +178,7 @@ private:
       Front_tangent(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
-    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes;
+    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
     const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);   // with numbers that tell the normals of such a joint apart
     if ((is_divided_there || Fine_level::is_tried(range, split_ratio)) && resolve_on_fine_level(front, range, candidates, is_divided_there))
       return;
@@ -192,13 +197,14 @@ private:
   bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
   {
     if constexpr (is_in_doubles) {
-      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes)
+      if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || m_fine_bounds >= Fine_level::most_bounds)
         return false;
       const bool are_many = candidates.size() > Fine_level::most_candidates;
       const int nodes = !is_divided ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
-      const bool is_resolved = disks.resolve_part(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes);
+      const bool is_resolved = disks.resolve_part(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;
+      m_fine_bounds += disks.m_candidates.number_of_bounds() + Fine_level::bounds_of_try;
       if (!is_resolved && (!(range.width() < least_width) || disks.m_stretches.empty()))
         return false;
       if (const double begin = disks.m_stretches.front().range.begin; begin > range.begin)
