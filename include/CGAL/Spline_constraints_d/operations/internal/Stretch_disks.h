@@ -82,7 +82,7 @@ private:
   template <Enclosing_number Number>
   static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter}; }
 
-  static bool is_accurate(const Interval& k) { return k.sup() - k.inf() <= most_error * k.sup(); }
+  static bool is_accurate(const Interval& k) { return std::isfinite(k.sup()) && k.sup() - k.inf() <= most_error * k.sup(); }
 
   template <Enclosing_number Number>
   static Basic_stretch_disk<Number> disk(const Basic_site_graph_2<Number>& graph, const Basic_disk_curvature<Number>& curvature, std::size_t front, const Disk_stretch& stretch, double u)
