@@ -148,6 +148,22 @@ TEST(ExactJoints, Tangents)
   EXPECT_TRUE(is_tangential(fork.curves[2], Exact::Vector_2(1, 0)));
 }
 
+// What is smooth already stays as it is, also where it is as flat as the distance; and what is flat in a fork stays flat.
+TEST(ExactJoints, ShapesStay)
+{
+  const Curves smooth{bezier({P(0, 0), P(1, 0.125), P(2, 0.25), P(3, 0.25)}), bezier({P(3, 0.25), P(4, 0.25), P(5, 0.125), P(6, 0)}), SC::circle_curve(P(10, 0), 0.25)};
+  const Joined same = joined(smooth, 0.25, 0.1);
+  expect_joined(same, 0, 0);
+  for (std::size_t i = 0; i < smooth.size(); ++i)
+    EXPECT_EQ(same.curves[i].control_points(), exact(smooth[i]).control_points());
+  const Joined fork = joined({bezier({P(0, 0), P(8, 4)}), bezier({P(2, 1.25), P(3, 1.75), P(4, 2.25), P(4, 7)})}, 0.5, 0.1);
+  expect_joined(fork, 1, 0);
+  const auto points = fork.curves[1].control_points();
+  for (const std::size_t i : {0U, 1U, 2U})
+    EXPECT_EQ(points[i].x(), 2 * points[i].y());
+  EXPECT_EQ(points[3], Exact::Point_2(4, 7));
+}
+
 // A tangent of two circles touches one of them at most; a point beside a crossing is on one curve at most; and of three segments each of which ends on the next one, one stays. Copies of a curve are one.
 TEST(ExactJoints, WhatIsLeft)
 {

@@ -36,7 +36,7 @@ curves that meet exactly where others do so but for rounding. A point of contact
 
 Points are the ends of curves with clamped knots, and the points within curves at knots whose multiplicity is the degree. Those that are not farther apart than `most_distance`, and no ends of one piece of a curve, become the same point, that of the first curve. A point that is not farther than that from the inside of one piece, of the same curve or another one, is moved onto
 it: to the nearest point, or where the parameter is a simpler number, if that is not farther away along the piece than the point was beside it, or than rounding errors. Pieces that leave it at an angle of at most `most_angle` with the tangent there, forward or backward, get this tangent, and those that leave a point at such an angle with each other get the same one: the next control point is moved onto
-that, with those behind it that are within the distance, too.
+that, and where the curve is flat, but for rounding, those behind it.
 
 The control points next to a point are moved with it, so that directions stay, and straight pieces stay straight. What a tangent in another point depends on is not moved, if pieces have it in common there. So what is near and cannot be moved, is near several pieces at once, or belongs to a circle of points of which each one is on a piece that ends in the next one, is left as it is.
 

@@ -40,6 +40,7 @@ class Joint_places
   using Curve = Bspline_curve_2<Kernel>;
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>;
 
+  static constexpr double rounding = 0x1p-48;   // of coordinates, relative
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   enum class State { WAITING, IN_PROGRESS, DONE };
@@ -176,19 +177,21 @@ private:
     m_places[other].sides.insert(m_places[other].sides.end(), m_places[place].sides.begin(), m_places[place].sides.end());
   }
 
-  // Moves joints, and the control points next to them that nothing else depends on, so that curves keep their directions there. Straight pieces stay straight.
+  // Moves joints, and the control points next to them that nothing else depends on, so that curves keep their directions there, and stay flat where they are. Straight pieces stay straight.
   void move(std::size_t place, const Point& to)
   {
     const Vector way = to - m_places[place].point;
     std::map<std::pair<std::size_t, std::size_t>, Vector> ways;
     for (const Joint_side& side : m_places[place].sides) {
-      const std::size_t next = points.next(side), last = points.opposite(side).joint;
+      const std::size_t last = points.opposite(side).joint;
       ways[{side.curve, side.joint}] = way;
       if (points.is_straight(side))
         for (std::size_t i = side.joint; i != last; i = following(side, i))
           ways[{side.curve, i}] = way * FT(1 - share_of_way(side, i));
-      else if (next != last && is_kept_by_none_but(place, side.curve, next))
-        ways[{side.curve, next}] = way;
+      else
+        for (const std::size_t i : flat_points(side))
+          if (i != last && is_kept_by_none_but(place, side.curve, i))
+            ways[{side.curve, i}] = way;
     }
     for (const auto& [index, by] : ways)
       points.point(index.first, index.second) = points.point(index.first, index.second) + by;
@@ -196,6 +199,24 @@ private:
   }
 
   static std::size_t following(const Joint_side& side, std::size_t index) { return side.is_forward ? index + 1 : index - 1; }
+
+  // The control point that the direction of a side depends on, and those behind it that are in this direction but for rounding.
+  std::vector<std::size_t> flat_points(const Joint_side& side) const
+  {
+    const std::size_t last = points.opposite(side).joint;
+    const std::vector<Point>& along = points.points(side.curve);
+    const Point& joint = points.joint(side);
+    const Vector direction = points.direction(side);
+    std::vector<std::size_t> result{points.next(side)};
+    while (result.back() != last) {
+      const std::size_t i = following(side, result.back());
+      const FT height = CGAL::determinant(direction, Vector(along[i] - joint)), most = converted_number<FT>(rounding * (std::max)(magnitude(joint), magnitude(along[i])));
+      if (height * height > most * most * direction.squared_length())
+        break;
+      result.push_back(i);
+    }
+    return result;
+  }
 
   // Where a control point of a straight piece is on the way to its other end.
   FT share_of_way(const Joint_side& side, std::size_t index) const
@@ -265,7 +286,6 @@ private:
   // Of the point that has the simplest parameter of those as near to the nearest one as that is to the given point, or as coordinates are rounded; none in the ends.
   std::optional<FT> simplest_parameter(const Curve& curve, const Point& point, const FT& nearest) const
   {
-    constexpr double rounding = 0x1p-48;
     constexpr int most_halvings = 60;
     const auto [begin, end] = curve.domain();
     if (nearest == begin || nearest == end)
@@ -289,11 +309,13 @@ private:
   static FT simplest_number(const FT& lower, const FT& upper) { return converted_number<FT>(simplest_rational_between(converted_number<Exact_rational>(lower), converted_number<Exact_rational>(upper))); }
 
   // The greatest absolute value of a coordinate.
+  static double magnitude(const Point& p) { return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y()))); }
+
   static double magnitude(const Curve& curve)
   {
     double result = 0;
     for (const Point& p : curve.control_points())
-      result = (std::max)({result, std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y()))});
+      result = (std::max)(result, magnitude(p));
     return result;
   }
 
@@ -390,27 +412,26 @@ private:
     return a != CGAL::NULL_VECTOR && b != CGAL::NULL_VECTOR && !(determinant * determinant > most);
   }
 
-  // Moves the next control point onto a tangent, and those behind it that are no farther away from that than the given distance; all of a straight piece, or nothing. Returns how many were moved; no number if the next one is not on the tangent and has to stay.
+  // Moves the next control point onto a tangent, and where the curve is flat those behind it; all of a straight piece, or nothing. Returns how many were moved; no number if the next one is not on the tangent and has to stay.
   std::optional<int> straighten(const Joint_side& side, std::size_t place, const Vector& tangent)
   {
-    const std::size_t first = points.next(side), last = points.opposite(side).joint;
+    const std::size_t last = points.opposite(side).joint;
     const bool is_straight = points.is_straight(side);
+    const std::vector<std::size_t> flat = flat_points(side);
     int moved = 0;
-    for (std::size_t i = first;; i = following(side, i)) {
-      const FT height = CGAL::determinant(Vector(points.points(side.curve)[i] - m_places[place].point), tangent);
-      if (height != 0) {
-        const bool is_wanted = i == first || is_straight || !(height * height > m_most_squared_distance * tangent.squared_length());
-        if (!is_wanted || !is_movable(place, side, is_straight ? last : i))
-          return i == first ? std::nullopt : std::optional(moved);
+    for (const std::size_t i : flat) {
+      if (CGAL::determinant(Vector(points.points(side.curve)[i] - m_places[place].point), tangent) != 0) {
+        if (!is_movable(place, side, is_straight ? last : i))
+          return i == flat.front() ? std::nullopt : std::optional(moved);
         points.move_onto_line(side.curve, i, m_places[place].point, tangent);
         ++moved;
         if (i == last)
           m_places[place_at(points.opposite(side))].point = points.points(side.curve)[i];
       }
-      if (i == last)
-        return moved;
-      m_keepers[side.curve][i] = place;
+      if (i != last)
+        m_keepers[side.curve][i] = place;
     }
+    return moved;
   }
 
   // Whether no other place depends on a control point of a side.
