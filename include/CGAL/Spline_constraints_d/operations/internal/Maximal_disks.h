@@ -85,7 +85,7 @@ class Basic_maximal_disks
   static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
   static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of a front
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
-  static constexpr std::size_t most_bounds = 1500000;                   // of candidates: what was proved in surveys needed a third of that at most
+  static constexpr std::size_t most_bounds = 1500000;                   // of candidates: what was proved in surveys needed 523,121 at most
 
   template <Enclosing_number Other>
   friend class Basic_maximal_disks;
