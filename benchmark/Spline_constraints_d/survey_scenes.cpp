@@ -5,7 +5,7 @@
 //
 //   survey_scenes offsets|lines|crossings|cusps|copies|hulls|kernels|bisectors|sectors|visible|circles|small|mixed|forks|near_forks|joined_forks|fork_offsets|fork_hulls|fork_sectors|rotated|smoothed [FIRST END]
 //
-// Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices with narrow bounds are counted, too.
+// Scenes are those with the numbers from FIRST to before END. Of diagrams, the vertices and samples of edges with narrow bounds are counted, too.
 // - offsets: of 2 to 50 cubics, half of them crossing each other; the area beside that of 4,000 random points.
 // - lines: diagrams of one to three curves of degrees one to three with small integers as coordinates, which have common tangents; the disks of samples of edges beside samples of curves.
 // - crossings: diagrams of 2 to 12 cubics in one square; the same.
@@ -76,6 +76,7 @@ struct Answer
   bool is_differing = false;    // from what samples tell
   std::size_t size = 0;         // arcs or edges
   std::size_t vertices = 0, bounded = 0;   // of diagrams, those at infinity left out; and those whose bounds are narrower than 10^-9 (1 + radius), and hold what is rounded
+  std::size_t samples = 0, known = 0;      // of edges of diagrams; and those whose radius has such bounds
 };
 
 std::vector<Point> samples(const Curves& curves, int count)
@@ -177,7 +178,7 @@ bool has_narrow_bounds(const Vertex& vertex)
   return holds(box.xmin(), p.x(), box.xmax()) && holds(box.ymin(), p.y(), box.ymax()) && holds(vertex.radius_bounds[0], vertex.radius, vertex.radius_bounds[1]);
 }
 
-// Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, and none contains a point or a sample of a curve.
+// Of a diagram of curves, which may be exact, and points: the disks of samples of edges touch both sites, or the first one where bounds are wide, and none contains a point or a sample of a curve.
 template <class Given_curves>
 Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const std::vector<Point>& points = {})
 {
@@ -199,13 +200,18 @@ Answer answer_of_diagram(const Given_curves& given, const Curves& curves, const 
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       const Point center = rounded(sample.point);
-      const double allowed = most_difference * (1 + sample.radius);
-      for (std::size_t side = 0; side < 2; ++side) {
+      const double allowed = most_difference * (1 + sample.radius), low = sample.radius_bounds[0], high = sample.radius_bounds[1];
+      const bool is_known = high - low < allowed;
+      const auto foot = [&](std::size_t side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
-        const Point foot = site.is_point ? rounded(site.point) : curves[site.curve](sample.parameters[side]);
-        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(center, foot)) - sample.radius) < allowed);
-      }
-      answer.is_differing = answer.is_differing || !(distance(center, along) > sample.radius - allowed);
+        return site.is_point ? rounded(site.point) : curves[site.curve](sample.parameters[side]);
+      };
+      const Point foot0 = foot(0), inner = sample.radius > 0 ? foot0 + (center - foot0) * (low / sample.radius) : center;   // the center of the least disk
+      ++answer.samples;
+      answer.known += is_known;
+      for (std::size_t side = 0; side < (is_known ? 2 : 1); ++side)
+        answer.is_differing = answer.is_differing || !(std::abs(std::sqrt(CGAL::squared_distance(center, foot(side))) - sample.radius) < allowed);
+      answer.is_differing = answer.is_differing || !(low <= sample.radius + allowed && sample.radius <= high + allowed && distance(inner, along) > low - allowed);
     }
   return answer;
 }
@@ -788,7 +794,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   const unsigned first = argc > 3 ? static_cast<unsigned>(std::atoi(argv[2])) : 0, end = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : survey->second.scenes;
-  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, vertices = 0, bounded = 0, refused = 0;
+  std::size_t scenes = 0, complete = 0, differing = 0, size = 0, vertices = 0, bounded = 0, samples = 0, known = 0, refused = 0;
   double total = 0, greatest = 0;
   for (unsigned scene = first; scene < end; ++scene) {
     const auto begin = std::chrono::steady_clock::now();
@@ -808,10 +814,12 @@ int main(int argc, char* argv[])
     size += answer.size;
     vertices += answer.vertices;
     bounded += answer.bounded;
+    samples += answer.samples;
+    known += answer.known;
     total += seconds;
     greatest = std::max(greatest, seconds);
     if (!answer.is_complete || answer.is_differing)
       std::cout << "scene " << scene << ": " << (answer.is_differing ? "differs from samples" : "not complete") << " (" << seconds << " s)" << std::endl;
   }
-  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << bounded << " of " << vertices << " vertices with narrow bounds; " << total << " s, at most " << greatest << " s\n";
+  std::cout << survey->first << ": " << scenes << " scenes, " << complete << " complete, " << differing << " differing from samples, " << refused << " refused; " << size << " arcs or edges; " << bounded << " of " << vertices << " vertices with narrow bounds, " << known << " of " << samples << " samples; " << total << " s, at most " << greatest << " s\n";
 }

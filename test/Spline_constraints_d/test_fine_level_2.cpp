@@ -12,12 +12,14 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
 #include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -277,6 +279,73 @@ TEST(FineLevel, DisksThatTouchLinesAndCircles)
 {
   expect_expansions_of_tangent_disks<SC::internal::Interval>();
   expect_expansions_of_tangent_disks<Fine_interval>();
+}
+
+// Two curves that leave a point, with directions that differ by rounding, or some more.
+Curves thin_corner(double height)
+{
+  const P corner(3.1, 2.7);
+  const K::Vector_2 along(1.1, 0.3), up(-0.3, 1.1);
+  return {bezier({corner, corner + 4 * along}), bezier({corner, corner + 2 * along + height * up, corner + 4 * along + up})};
+}
+
+// Next to the corner doubles know no upper bound of the curvature: disks are those of numbers of higher precision, and no larger than one through the other curve.
+TEST(FineLevel, DisksInAThinCorner)
+{
+  for (const double height : {1e-16, 3e-16, 1e-15}) {
+    const auto graph = SC::internal::site_graph(thin_corner(height), std::vector<P>());
+    const SC::Upward_rounding_guard guard;
+    const SC::internal::Fine_level fine_level(*graph);
+    const SC::internal::Disk_curvature curvature(*graph);
+    const SC::internal::Stretch_disks disks(*graph, curvature, fine_level);
+    const auto& fronts = graph->fronts();
+    const auto left = static_cast<std::size_t>(std::find_if(fronts.begin(), fronts.end(), [](const auto& front) { return !front.is_fan && !front.is_reversed && front.object == 0; }) - fronts.begin());
+    ASSERT_LT(left, fronts.size());
+    const double u = 0x1p-50;
+    const SC::internal::Located_contact contact{{SC::internal::Disk_contact::Kind::ARC, 1}, {0, 4 * u}};
+    const SC::internal::Disk_stretch stretch{contact.contact, {0, 1}, {}, {{{0, 1}, contact}}};
+    ASSERT_FALSE(std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), contact).curvature.sup()));
+
+    const Exact_pair x = graph->exact_point_at(fronts[left], u), y = graph->arcs()[1].at(u), n = graph->exact_normal(fronts[left], u), chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
+    const double through_other = CGAL::to_double(Exact_rational(2 * SC::internal::exact_dot(n, chord) / SC::internal::exact_dot(chord, chord)));
+    const auto disk = disks.estimated(left, stretch, u);
+    EXPECT_GT(disk.curvature.inf(), through_other * (1 - 1e-9)) << "height " << height;
+    EXPECT_TRUE(std::isfinite(disk.curvature.sup()));
+    EXPECT_GE(disk.curvature.sup(), disk.bounds.inf());
+  }
+}
+
+// Samples of edges whose radius no number tells say so, and have disks that touch the first site; the others touch both sites. The least disks are empty.
+TEST(FineLevel, RadiiThatAreNotKnown)
+{
+  const Curves curves = thin_corner(1e-13);
+  const Diagram diagram = SC::voronoi_diagram(curves);
+  EXPECT_FALSE(diagram.is_complete());
+  std::vector<P> points;
+  for (const Curve& curve : curves)
+    for (int i = 0; i <= 200; ++i)
+      points.push_back(rounded(curve(i / 200.)));
+  std::size_t known = 0, unknown = 0;
+  for (std::size_t e = 0; e < diagram.edges().size(); ++e)
+    for (const auto& sample : diagram.polyline(e, 0.01, 100)) {
+      const auto& [low, high] = sample.radius_bounds;
+      EXPECT_TRUE(low <= sample.radius * (1 + 1e-14) && sample.radius * (1 - 1e-14) <= high) << sample.radius << " between " << low << " and " << high;
+      const double allowed = 1e-8 * (1 + sample.radius);
+      const bool is_known = high - low < allowed;
+      ++(is_known ? known : unknown);
+      const auto foot = [&](std::size_t side) {
+        const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
+        return rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));
+      };
+      for (std::size_t side = 0; side < (is_known ? 2 : 1); ++side)
+        EXPECT_NEAR(distance(sample.point, foot(side)), sample.radius, allowed) << "edge " << e << " side " << side;
+      const P inner = sample.radius > 0 ? foot(0) + (sample.point - foot(0)) * (low / sample.radius) : sample.point;
+      for (const P& p : points)
+        EXPECT_GT(distance(inner, p), low - allowed) << "edge " << e;
+    }
+  EXPECT_GT(known, 10U);
+  EXPECT_GE(unknown, 1U);
+  EXPECT_LT(unknown, 5U);
 }
 
 // A curvature with two equal maxima, which no bounds tell apart: 1 - 8 (v - a)^2 (v - b)^2.

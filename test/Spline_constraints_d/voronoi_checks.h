@@ -106,7 +106,7 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_2<Kernel>& diagram)
   }
 }
 
-// Every sample has its radius as the distance from both sites, and nothing is nearer than that: not even one of many points on all curves.
+// Every sample has its radius as the distance from both sites, with bounds as narrow as those of vertices, and nothing is nearer than that: not even one of many points on all curves.
 template <class Kernel>
 void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01, double most_radius = 100)
 {
@@ -121,6 +121,9 @@ void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std:
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       const P center = rounded(sample.point);
       ++samples;
+      const double error = 1e-6 * (1 + sample.radius);
+      EXPECT_TRUE(sample.radius - error <= sample.radius_bounds[0] && sample.radius_bounds[0] <= sample.radius * (1 + 1e-14)) << "edge " << e << " radius " << sample.radius << " at least " << sample.radius_bounds[0];
+      EXPECT_TRUE(sample.radius * (1 - 1e-14) <= sample.radius_bounds[1] && sample.radius_bounds[1] <= sample.radius + error) << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
         const P foot = rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));

@@ -6,14 +6,14 @@
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/Voronoi_sample_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Edge_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Vertex_bounds.h>
-#include <CGAL/Spline_constraints_d/operations/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/internal/cell_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/internal/check_magnitude.h>
 #include <CGAL/Spline_constraints_d/operations/internal/components_of_vertices.h>
-#include <CGAL/Spline_constraints_d/operations/internal/parameters_within_radius.h>
 #include <CGAL/Spline_constraints_d/operations/internal/vertex_origin.h>
 
 #include <CGAL/Bbox_2.h>
@@ -58,19 +58,6 @@ struct Voronoi_coincidence_2
   std::array<std::size_t, 2> curves;                      ///< the indices of the curves, the lower one first
   std::array<std::array<double, 2>, 2> parameters;        ///< of each curve, where the part begins and ends
   bool is_reversed;                                       ///< whether the second part begins where the first one ends
-};
-
-/*!
-\ingroup PkgSplineConstraintsDOperations
-
-A point of an edge of a Voronoi diagram.
-*/
-template <SplineKernel Kernel>
-struct Voronoi_sample_2
-{
-  typename Kernel::Point_2 point;            ///< the point: the center of an empty disk, rounded
-  double radius;                             ///< the radius of the disk: the distance from both sites
-  std::array<double, 2> parameters;          ///< where the disk touches the sites of the edge: the parameter of a curve; of a point, no number
 };
 
 /*!
@@ -243,7 +230,7 @@ public:
   Cell cell(std::size_t site) const { return cell(std::vector<std::size_t>{site}); }
 
   /*!
-  points along an edge, so many that it passes the middles of their chords at no more than a given distance.
+  points along an edge, so many that it passes the middles of their chords at no more than a given distance, where the bounds of their radii are close together.
 
   An edge with an end at infinity is cut where the radius of the disks is larger than a given one; nothing is left if all are.
 
@@ -260,7 +247,11 @@ public:
     const Upward_rounding_guard guard;
     std::vector<Sample> result;
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
-      append_part(part, error, most_radius, result);
+      edge_samples().append(part, error, most_radius, result);
+    if (!result.empty()) {
+      put_at_vertex(m_edges[edge].vertices[0], most_radius, result.front());
+      put_at_vertex(m_edges[edge].vertices[1], most_radius, result.back());
+    }
     return result;
   }
 
@@ -293,6 +284,8 @@ public:
   }
 
 private:
+  internal::Edge_samples<Kernel> edge_samples() const { return {*m_graph, *m_diagram}; }
+
   std::size_t site_of(const internal::Front& front) const { return front.object + (front.is_fan ? m_graph->arcs().size() : 0); }
 
   double curve_parameter(std::size_t site, double u) const { return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u); }
@@ -307,6 +300,15 @@ private:
     const auto enclosed = [](const Exact_rational& x) { return internal::interval_of<internal::Interval>(x); };
     const internal::Interval error = enclosed(arc.error()), begin = enclosed(first), result = begin + (enclosed(last) - begin) * (internal::interval_of<internal::Interval>(range) + internal::Interval(-error.sup(), error.sup()));
     return ends(error.sup() > 0 ? result : internal::common_part(result, internal::hull(begin, enclosed(last))));
+  }
+
+  // The disk in the end of an edge is that of the vertex, which may be known better.
+  void put_at_vertex(std::size_t index, double most_radius, Sample& sample) const
+  {
+    const Vertex& vertex = m_vertices[index];
+    const auto width = [](const std::array<double, 2>& bounds) { return bounds[1] - bounds[0]; };
+    if (!vertex.is_at_infinity && vertex.radius <= most_radius && width(vertex.radius_bounds) < width(sample.radius_bounds))
+      sample = {vertex.point, vertex.radius, sample.parameters, vertex.radius_bounds};
   }
 
   static CGAL::Bbox_2 box(const internal::Interval_pair& center) { return {center[0].inf(), center[1].inf(), center[0].sup(), center[1].sup()}; }
@@ -340,13 +342,14 @@ private:
   {
     for (const auto& vertex : m_diagram->vertices()) {
       const internal::Disk_diagram::Halfedge& h = m_diagram->halfedges()[vertex.outgoing.front()];
-      const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : sample(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
+      const Sample at = vertex.is_at_infinity ? Sample{Point(0, 0), std::numeric_limits<double>::infinity(), {}} : edge_samples()(h.parts.front(), m_diagram->end_parameter(h.parts.front(), false));
       const internal::Vertex_bounds bounds = internal::vertex_bounds(*m_graph, *m_diagram, vertex);
       const auto within = [](const internal::Interval& x, const auto& value) { return std::clamp(CGAL::to_double(value), x.inf(), x.sup()); };
-      m_vertices.push_back({point(within(bounds.center[0], at.point.x()), within(bounds.center[1], at.point.y())), within(bounds.radius, at.radius), {}, {}, vertex.is_at_infinity, vertex.is_resolved, box(bounds.center), ends(bounds.radius)});
+      const Point center = internal::kernel_object<Kernel, Point>(std::array<double, 2>{within(bounds.center[0], at.point.x()), within(bounds.center[1], at.point.y())});
+      m_vertices.push_back({center, within(bounds.radius, at.radius), {}, {}, vertex.is_at_infinity, vertex.is_resolved, box(bounds.center), ends(bounds.radius)});
     }
     for (const internal::Disk_diagram::Part& part : m_diagram->lone_circles()) {
-      const Sample at = sample(part, m_diagram->end_parameter(part, false));
+      const Sample at = edge_samples()(part, m_diagram->end_parameter(part, false));
       const std::size_t site = site_of(m_diagram->front(part));
       const internal::Site_arc_2& circle = m_graph->arcs()[site];
       m_vertices.push_back({at.point, at.radius, {}, {{site, at.parameters[0], m_sites[site].parameters}}, false, true, box(circle.center()), ends(CGAL::sqrt(circle.squared_radius()))});
@@ -406,84 +409,6 @@ private:
   }
 
   double end_parameter(const internal::Disk_diagram::Halfedge& h, bool end) const { return m_diagram->end_parameter(end ? h.parts.back() : h.parts.front(), end); }
-
-  Sample sample(const Part& part, double u) const
-  {
-    const internal::Front& front = m_diagram->front(part);
-    const internal::Stretch_disks::Disk disk = m_diagram->estimated_disk(part, u);
-    const internal::Front_jet x = m_graph->front_jet(front, {u, u});
-    const internal::Disk_contact& contact = m_diagram->stretch(part).contact;
-    const std::size_t other = contact.index + (contact.kind == internal::Disk_contact::Kind::VERTEX ? m_graph->arcs().size() : 0);
-    const std::array<double, 2> parameters{curve_parameter(site_of(front), u), curve_parameter(other, disk.parameter)};
-    if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf())) {   // a corner: if that is certain, the same point for all arcs that end there
-      const internal::Interval_pair& corner = disk.is_point ? disk.center : x.point;
-      return {point(middle(corner[0]), middle(corner[1])), 0, parameters};
-    }
-    if (!(disk.curvature.inf() > 0))
-      return {Point(0, 0), std::numeric_limits<double>::infinity(), parameters};
-    const double radius = std::sqrt(middle(internal::squared_norm(x.normal))) / middle(disk.curvature);
-    return {point(middle(disk.center[0]), middle(disk.center[1])), radius, parameters};
-  }
-
-  static double middle(const internal::Interval& x) { return x.inf() / 2 + x.sup() / 2; }
-
-  static Point point(double x, double y) { return internal::kernel_object<Kernel, Point>(std::array<double, 2>{x, y}); }
-
-  // The centers of the disks in a pocket are on a line, up to rounding: from the corner to the disk at the other end, or as far as radii go.
-  void append_corner(const Part& part, double most_radius, std::vector<Sample>& samples) const
-  {
-    const bool is_end = m_diagram->stretch(part).corner->is_end != m_diagram->front(part).is_reversed;   // of the traversal
-    const double u = m_diagram->end_parameter(part, is_end);
-    const Sample corner = sample(part, u);
-    Sample last = sample(part, m_diagram->end_parameter(part, !is_end));
-    if (last.radius > most_radius)
-      last = {point_on_normal(part, u, most_radius), most_radius, last.parameters};
-    if (samples.empty())
-      samples.push_back(is_end ? last : corner);
-    samples.push_back(is_end ? corner : last);
-  }
-
-  // Appends the samples of a part that are not too far away.
-  void append_part(const Part& part, double error, double most_radius, std::vector<Sample>& samples) const
-  {
-    if (m_diagram->stretch(part).corner) {
-      append_corner(part, most_radius, samples);
-      return;
-    }
-    const auto radius_at = [&](double u) { return sample(part, u).radius; };
-    const std::array<double, 2> all{m_diagram->end_parameter(part, false), m_diagram->end_parameter(part, true)};
-    const std::optional<double> inner = internal::any_within(all, radius_at, most_radius);
-    if (!inner)
-      return;
-    const std::array last{internal::last_within(*inner, all[0], radius_at, most_radius), internal::last_within(*inner, all[1], radius_at, most_radius)};
-    using Located = std::pair<double, Sample>;
-    const auto located = [&](double u) { return Located(u, sample(part, u)); };
-    const auto between = [&](const Located& from, const Located& to) { return located(from.first / 2 + to.first / 2); };
-    const auto is_chord = [&](const Located& from, const Located& middle, const Located& to) { return height_over_chord(from.second, middle.second, to.second) <= error; };
-    std::vector<Located> along{located(last[0].parameter)};
-    internal::append_samples(along, located(last[1].parameter), between, is_chord);
-    for (const bool end : {false, true})
-      if (const auto& next = last[end].jump)   // from there on, the edge goes along the normal, up to rounding
-        along.insert(end ? along.end() : along.begin(), {*next, Sample{point_on_normal(part, *next, most_radius), most_radius, sample(part, *next).parameters}});
-    for (std::size_t i = samples.empty() ? 0 : 1; i < along.size(); ++i)
-      samples.push_back(along[i].second);
-  }
-
-  // The point at some distance from the front.
-  Point point_on_normal(const Part& part, double u, double distance) const
-  {
-    const internal::Front_jet x = m_graph->front_jet(m_diagram->front(part), {u, u});
-    const internal::Interval share = internal::Interval(distance) / CGAL::sqrt(internal::squared_norm(x.normal));
-    return point(middle(x.point[0] + share * x.normal[0]), middle(x.point[1] + share * x.normal[1]));
-  }
-
-  static double height_over_chord(const Sample& from, const Sample& middle, const Sample& to)
-  {
-    const auto coordinates = [](const Sample& s) { return std::array<double, 2>{CGAL::to_double(s.point.x()), CGAL::to_double(s.point.y())}; };
-    const auto p = coordinates(from), q = coordinates(middle), r = coordinates(to);
-    const double length = std::hypot(r[0] - p[0], r[1] - p[1]);
-    return length > 0 ? std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / length : std::hypot(q[0] - p[0], q[1] - p[1]);
-  }
 };
 
 } // namespace Spline_constraints

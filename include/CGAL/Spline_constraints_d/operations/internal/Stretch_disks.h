@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Touched_front.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,8 +26,22 @@ struct Basic_stretch_disk
   Interval curvature;   // 1 / radius, in units of the length of the normal
   Range other_range;    // of an arc, with the parameter there
   double parameter;     // one of them
+  Interval bounds;      // of the curvature of the largest disk, by proof
   bool is_point = false;   // of a corner, in which there is no disk
 };
+
+// The radius of a disk, by its curvature in units of the length of a normal.
+template <Enclosing_number Interval>
+Interval radius_of_disk(const std::array<Interval, 2>& normal, const Interval& curvature)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Interval length = CGAL::sqrt(squared_norm(normal));
+  if (curvature.inf() > 0)
+    return length / curvature;
+  if (!(curvature.sup() > 0))
+    return {infinity, infinity};
+  return {std::isfinite(curvature.sup()) ? (length / Interval(curvature.sup())).inf() : 0, infinity};
+}
 
 // The disks along stretches of maximal disks: in doubles, and where these do not tell the curvature, with numbers of higher precision.
 class Stretch_disks
@@ -50,7 +65,8 @@ public:
       return result;
     const auto fine = disk(m_fine_level.graph(), m_fine_level.curvature(), front, stretch, u);
     const bool is_best_of_some = stretch.contact.kind == Disk_contact::Kind::ARC && !is_accurate(internal::in_doubles(fine.curvature));
-    return in_doubles(is_best_of_some ? disk_through_point_of_arc(m_fine_level.graph(), m_fine_level.curvature(), front, stretch.contact.index, u, fine.parameter) : fine);
+    const Interval bounds = common_part(result.bounds, internal::in_doubles(fine.bounds));
+    return bounded(in_doubles(is_best_of_some ? disk_through_point_of_arc(m_fine_level.graph(), m_fine_level.curvature(), front, stretch.contact.index, u, fine.parameter) : fine), bounds);
   }
 
   // The same, also in corners, where curvatures are not finite; where arcs join smoothly, the disk has the greater one of their curvatures.
@@ -59,13 +75,14 @@ public:
     if (const auto corner = disk_in_corner(front, stretch, u))
       return *corner;
     const auto joint = stretch.contact.kind == Disk_contact::Kind::ARC ? greatest_curvature_at_joint(m_curvature.part(front, {u, u}), stretch.located(u)) : std::nullopt;
-    if (joint && m_graph.fronts()[front].is_fan)
-      return with_curvature(m_curvature.part(front, {u, u}), *joint);
     const Disk result = (*this)(front, stretch, u);
+    const auto estimate = [&](const Attained_curvature& k, const Interval& bounds) { return bounded(with_curvature(m_curvature.part(front, {u, u}), k), bounds); };
+    if (joint && m_graph.fronts()[front].is_fan)
+      return estimate(*joint, hull(result.bounds, joint->curvature));
     if (joint && !(result.curvature.inf() > joint->curvature.inf()))
-      return with_curvature(m_curvature.part(front, {u, u}), *joint);
+      return estimate(*joint, {(std::max)(result.bounds.inf(), joint->curvature.inf()), (std::max)(result.bounds.sup(), joint->curvature.sup())});
     const bool is_only_bounded = result.curvature.inf() > 0 && !std::isfinite(result.curvature.sup());
-    return is_only_bounded ? with_curvature(m_curvature.part(front, {u, u}), Attained_curvature{Interval(result.curvature.inf()), result.other_range, result.parameter}) : result;
+    return is_only_bounded ? estimate({Interval(result.curvature.inf()), result.other_range, result.parameter}, result.bounds) : result;
   }
 
   // The front that the disk touches elsewhere, if that is certain, by doubles or numbers of higher precision.
@@ -80,7 +97,13 @@ public:
 
 private:
   template <Enclosing_number Number>
-  static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter}; }
+  static Disk in_doubles(const Basic_stretch_disk<Number>& disk) { return {internal::in_doubles(disk.center), internal::in_doubles(disk.curvature), disk.other_range, disk.parameter, internal::in_doubles(disk.bounds)}; }
+
+  static Disk bounded(Disk disk, const Interval& bounds)
+  {
+    disk.bounds = bounds;
+    return disk;
+  }
 
   static bool is_accurate(const Interval& k) { return std::isfinite(k.sup()) && k.sup() - k.inf() <= most_error * k.sup(); }
 
@@ -102,7 +125,7 @@ private:
   static Basic_stretch_disk<Number> with_curvature(const Basic_front_part<Number>& point, const Basic_attained_curvature<Number>& k)
   {
     const auto &x = point.jet.point, &n = point.jet.normal;
-    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range, k.parameter};
+    return {{x[0] + n[0] / k.curvature, x[1] + n[1] / k.curvature}, k.curvature, k.range, k.parameter, k.curvature};
   }
 
   // In the corner of a pocket there is no disk; the other end of the stretch has one. Between, nothing can be told.
@@ -131,7 +154,7 @@ private:
       const int side = side_of_normal(front, u, end);
       const bool is_corner = !is_fan && (end == across || side > 0), is_round = side == 0 && stretch.located(u).range.meets({v, v}) && (is_bent_infinitely(normal, end) || (!is_fan && is_bent_infinitely(normal, own)));
       if (is_corner || is_round)
-        return Disk{vertex.point, any_number(), {v, v}, v, true};
+        return Disk{vertex.point, any_number(), {v, v}, v, any_number(), true};
     }
     return std::nullopt;
   }

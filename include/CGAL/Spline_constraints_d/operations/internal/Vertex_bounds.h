@@ -101,10 +101,7 @@ private:
 
   static void add(Vertex_bounds& result, const Front_part& part, const Interval& k)
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Interval length = CGAL::sqrt(squared_norm(part.jet.normal));
-    const double least_radius = k.sup() > 0 ? (length / Interval(k.sup())).inf() : infinity;
-    result.radius = common_part(result.radius, k.inf() > 0 ? length / k : Interval(least_radius, infinity));
+    result.radius = common_part(result.radius, radius_of_disk(part.jet.normal, k));
     for (std::size_t i = 0; i < 2 && k.inf() > 0; ++i)
       result.center[i] = common_part(result.center[i], part.jet.point[i] + part.jet.normal[i] / k);
   }
