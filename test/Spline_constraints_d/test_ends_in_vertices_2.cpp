@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Voronoi diagrams of arcs that end in a vertex of their curve, where the derivative of the curvature is zero, as half a parabola does: alone, in corners, and where two of them join.
+// Voronoi diagrams of arcs that end in a vertex of their curve, where the derivative of the curvature is zero, as half a parabola does, or next to one: alone, in corners, and where two of them join.
 #include "voronoi_checks.h"
 
 #include <CGAL/Spline_constraints_d/operations/internal/powers_of_zeros.h>
@@ -61,6 +61,39 @@ TEST(EndsInVertices, HalfParabola)
       }
     }
     EXPECT_GT(samples, 10U);
+  }
+}
+
+const K::Aff_transformation_2 rotated_and_scaled(1.1, -0.3, 3.1, 0.3, 1.1, 2.7);
+
+// y = h x / 2 + (1 - h) x^2 / 8 has its vertex just behind the end of the arc, or for h < 0 before it, where x = 2 |h| / (1 + |h|): then there is a tip in the center of curvature, and the edge from there goes over from the arc to its end.
+TEST(EndsInVertices, VerticesNextToEnds)
+{
+  const auto arc = [](double h) { return bezier({P(0, 0), P(2, h), P(4, 2)}); };
+  for (int digits = 4; digits <= 15; ++digits) {
+    const double h = std::pow(10., -digits);
+    for (const bool is_inside : {false, true}) {
+      const Curve curve = arc(is_inside ? -h : h), rotated = curve.transformed(rotated_and_scaled);
+      const Diagram diagram = SC::voronoi_diagram(Curves{curve});
+      expect_valid(diagram, {curve});
+      EXPECT_EQ(diagram.edges().size(), is_inside ? 3U : 2U) << "h = " << h;
+      EXPECT_EQ(tips(diagram, is_inside ? P(2 * h / (1 + h), (4 - h * h / 2) / (1 + h)) : P(0, 4), is_inside ? 4 / (1 + h) : 4), digits > 9 || is_inside ? 1U : 0U) << "h = " << h;
+      expect_valid(SC::voronoi_diagram(Curves{rotated}), {rotated});
+    }
+  }
+}
+
+// Two arcs that leave a point with directions that differ by a tiny angle: each of them is hidden from the other side of the other one.
+TEST(EndsInVertices, ThinCorners)
+{
+  for (int digits = 4; digits <= 15; ++digits) {
+    const double height = std::pow(10., -digits);
+    const Curves curves{bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, height), P(4, 1)})}, rotated{curves[0].transformed(rotated_and_scaled), bezier({P(3.1, 2.7), P(5.3 - 0.3 * height, 3.3 + 1.1 * height), P(7.2, 5)})};
+    for (const Curves& corner : {curves, rotated}) {
+      const Diagram diagram = SC::voronoi_diagram(corner);
+      expect_valid(diagram, corner);
+      EXPECT_EQ(tips(diagram, rounded(corner[0](0)), 0), 1U) << "height " << height;
+    }
   }
 }
 

@@ -318,7 +318,8 @@ TEST(FineLevel, DisksInAThinCorner)
 // Samples of edges whose radius no number tells say so, and have disks that touch the first site; the others touch both sites. The least disks are empty.
 TEST(FineLevel, RadiiThatAreNotKnown)
 {
-  const Curves curves = thin_corner(1e-13);
+  const P joint(1. / 3, 0.3);
+  const Curves curves{bezier({joint, P(8, 0.7)}), bezier({joint, P(1. / 3 - 5 + 1e-13, 0.3 - 5 * (0.4 / (8 - 1. / 3))), P(-6, 1)})};   // a segment, and a curve that goes on with a kink of rounding errors
   const Diagram diagram = SC::voronoi_diagram(curves);
   EXPECT_FALSE(diagram.is_complete());
   std::vector<P> points;

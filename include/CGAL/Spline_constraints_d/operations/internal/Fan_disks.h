@@ -24,7 +24,11 @@ where e, s are smooth functions of t, and c < 0: the arc leaves the half-plane o
 
   s k_t / 2 = a + (w/t^2) b,   a = e' - e s'/s,   b = -c (1 + t s'/s).
 
-Near the vertex b > 0. So if a > 0 k increases with t; and if a < 0 and t^2 a / b is monotone it has one maximum in t for all w > 0, which moves into the vertex for w = 0.
+Near the vertex b > 0. So if a > 0 k increases with t; and if t^2 a / b is monotone where a < 0 it has one maximum in t for all w > 0, which moves into the vertex for w = 0 if a < 0 there. Its derivative has the sign of
+
+  a (2 - t b'/b) + t a'.
+
+So it is monotone, too, if a decreases, which may be positive first: then the curvature of the arc has its maximum next to the vertex.
 */
 template <Enclosing_number Interval>
 class Basic_fan_disks
@@ -101,10 +105,10 @@ public:
   // Whether k has at most one maximum.
   bool has_one_maximum() const
   {
-    if (!m_is_regular || !(a().sup() < 0 && one_plus().inf() > 0))
+    if (!m_is_regular || !(one_plus().inf() > 0))
       return false;
-    const Interval ratio = s1 / s, ratio1 = s2 / s - CGAL::square(ratio), a1 = e2 - e1 * ratio - e * ratio1, t = m_t;
-    return (a() * (Interval(2) + t * ratio - CGAL::square(t) * ratio1) + t * one_plus() * a1).sup() < 0;
+    const Interval ratio = s1 / s, ratio1 = s2 / s - CGAL::square(ratio), a1 = e2 - e1 * ratio - e * ratio1, t = m_t, weight = Interval(2) + t * ratio - CGAL::square(t) * ratio1;
+    return (a().sup() < 0 && (a() * weight + t * one_plus() * a1).sup() < 0) || (a1.sup() < 0 && weight.inf() > 0);
   }
 
 private:
