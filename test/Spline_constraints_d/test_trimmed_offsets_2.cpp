@@ -288,6 +288,19 @@ TEST(TrimmedOffsets, TangentWithRoundedEnds)
   EXPECT_LT(greatest, 0.5 + 1e-3);
 }
 
+// A curve that leaves the begin of a segment on one side, and crosses it to the other one, where disks that touch the segment touch it.
+TEST(TrimmedOffsets, CurvesThatCrossAgain)
+{
+  const Curves curves{bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, -1), P(4, 1)})};
+  for (const double distance : {0.05, 0.2}) {
+    const Offset offset = SC::trimmed_offset(curves, distance);
+    EXPECT_EQ(counts(offset).components, 1U);
+    const auto [least, greatest] = distances(offset, curves);
+    EXPECT_GT(least, distance - 1e-9);
+    EXPECT_LT(greatest, distance + 1e-3);
+  }
+}
+
 // Walls on a grid, at twice the distance: offsets coincide, or touch in points. Each outline is followed by distances, areas, and the numbers of components and holes.
 TEST(TrimmedOffsets, RoundDistances)
 {

@@ -121,9 +121,9 @@ void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std:
     for (const auto& sample : diagram.polyline(e, error, most_radius)) {
       const P center = rounded(sample.point);
       ++samples;
-      const double error = 1e-6 * (1 + sample.radius);
-      EXPECT_TRUE(sample.radius - error <= sample.radius_bounds[0] && sample.radius_bounds[0] <= sample.radius * (1 + 1e-14)) << "edge " << e << " radius " << sample.radius << " at least " << sample.radius_bounds[0];
-      EXPECT_TRUE(sample.radius * (1 - 1e-14) <= sample.radius_bounds[1] && sample.radius_bounds[1] <= sample.radius + error) << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
+      const double most_width = 1e-6 * (1 + sample.radius);
+      EXPECT_TRUE(sample.radius - most_width <= sample.radius_bounds[0] && sample.radius_bounds[0] <= sample.radius * (1 + 1e-14)) << "edge " << e << " radius " << sample.radius << " at least " << sample.radius_bounds[0];
+      EXPECT_TRUE(sample.radius * (1 - 1e-14) <= sample.radius_bounds[1] && sample.radius_bounds[1] <= sample.radius + most_width) << "edge " << e << " radius " << sample.radius << " at most " << sample.radius_bounds[1];
       for (std::size_t side = 0; side < 2; ++side) {
         const auto& site = diagram.sites()[diagram.edges()[e].sites[side]];
         const P foot = rounded(site.is_point ? site.point : curves[site.curve](sample.parameters[side]));

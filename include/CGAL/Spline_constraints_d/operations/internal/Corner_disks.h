@@ -35,7 +35,7 @@ class Basic_corner_disks
 
   static constexpr double far_ratio = 16;   // of the distances from the vertex, in units of the ratio of speeds
   static constexpr double most_share = 1 - 0x1p-20;   // of the curvature that is attained: the maximum is higher than others, also when it is rounded
-  static constexpr int steps = 12, most_halvings = 20;
+  static constexpr int steps = 12, most_halvings = 60;   // in angles that are tiny the maximum is narrow
 
 public:
   // The only maximum of k in t, for all s: a curvature that it exceeds, and whether it is in the vertex.

@@ -5,6 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERNAL_CURVE_CROSSINGS_2_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Crossing_refinement.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Curve_overlaps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_curve_2.h>
 #include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,10 +46,11 @@ private:
 
   std::vector<std::optional<Exact_pair>> m_points;   // of the crossings, where they are known exactly
   std::vector<Exact_pair> m_near_points;
+  const std::vector<Site_curve_2>& m_sites;
   std::vector<Spline_patch<2>> m_curves;
   std::vector<std::vector<Cut>> m_cuts;              // of each curve, by increasing parameters
   std::vector<Coincident_parts_2> m_coincident_parts;
-  bool m_are_overlaps_proved = true, m_are_cut_everywhere = true;
+  bool m_are_overlaps_proved = true, m_are_cut_everywhere = true, m_are_cut = true;
 
 public:
   template <class Concurrency_tag, SplineKernel Kernel>
@@ -69,7 +72,8 @@ public:
     Curve_crossings_2 result(curves);
     const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
     result.add_overlaps(pairs);
-    if (result.have_contacts(pairs))
+    result.m_are_cut = result.have_contacts(pairs);
+    if (result.m_are_cut)
       result.add_crossings(pairs);
     result.close();
     return result;
@@ -97,11 +101,14 @@ public:
 
   const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
 
+  // Whether curves are cut at crossings, too.
+  bool are_cut() const { return m_are_cut; }
+
   // Whether overlaps are proved wherever there are any, and there are cuts in all other common points.
   bool are_complete() const { return m_are_overlaps_proved && m_are_cut_everywhere; }
 
 private:
-  explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_cuts(curves.size())
+  explicit Curve_crossings_2(const std::vector<Site_curve_2>& curves) : m_sites(curves), m_cuts(curves.size())
   {
     for (const Site_curve_2& curve : curves)
       m_curves.push_back(curve.patch);
@@ -188,14 +195,29 @@ private:
       m_are_cut_everywhere = false;
       return;
     }
+    if (!is_exact)
+      std::tie(cuts[0].parameter, cuts[1].parameter) = narrow_ranges(curves, with_short_ends({intersection.parameter_range(0), intersection.parameter_range(1)}));
     for (std::size_t k = 0; k < 2; ++k) {
-      if (!is_exact)
-        cuts[k].parameter = with_short_ends({intersection.parameter_range(k)})[0];
       if (!intersection.is_at_end(k))
         m_cuts[curves[k]].push_back(cuts[k]);
     }
     m_near_points.push_back(points[intersection.is_at_end(1)]);
     m_points.push_back(is_exact || intersection.is_at_end(0) || intersection.is_at_end(1) ? std::optional(m_near_points.back()) : std::nullopt);
+  }
+
+  // Those of a crossing, narrowed if each is inside of one piece of its curve.
+  std::pair<Parameter_range, Parameter_range> narrow_ranges(const std::array<std::size_t, 2>& curves, const Parameter_box& ranges) const
+  {
+    std::array<const Homogeneous_piece*, 2> pieces;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::vector<Homogeneous_piece>& all = m_sites[curves[k]].pieces;
+      const auto piece = std::find_if(all.begin(), all.end(), [&](const Homogeneous_piece& p) { return p.domain.first < ranges[k].first && ranges[k].second < p.domain.second; });
+      if (piece == all.end())
+        return {ranges[0], ranges[1]};
+      pieces[k] = &*piece;
+    }
+    const auto [first, second] = Crossing_refinement(*pieces[0], *pieces[1])({ranges[0], ranges[1]});
+    return {first, second};
   }
 
   void add_point(const Exact_pair& point, std::size_t curve, const Parameter_range& range)

@@ -7,6 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Cusps_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Disk_curvature.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Hidden_arcs.h>
+#include <CGAL/Spline_constraints_d/operations/internal/Separate_faces.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Singular_ends.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_tree_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/compared_points.h>
@@ -41,6 +42,7 @@ class Basic_disk_candidates
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Singular_ends = Basic_singular_ends<Interval>;
   using Hidden_arcs = Basic_hidden_arcs<Interval>;
+  using Separate_faces = Basic_separate_faces<Interval>;
 
   static constexpr double least_width = std::same_as<Interval, CGAL::Interval_nt<false>> ? 0x1p-46 : 0x1p-54, least_gain = 4;
 
@@ -49,6 +51,7 @@ class Basic_disk_candidates
   Disk_curvature m_curvature;
   Singular_ends m_singular_ends;
   Hidden_arcs m_hidden_arcs;
+  Separate_faces m_separate_faces;
   const Cusps_2* m_cusps;   // none, or those that are known
   mutable std::size_t m_number_of_bounds = 0;
 
@@ -57,7 +60,7 @@ public:
   // Of candidates. More would be needed only where disks nearly have the curvature of a curve along much of that; with 128 bits, what was proved in surveys needed less than 800.
   static constexpr std::size_t most_parts = std::same_as<Interval, CGAL::Interval_nt<false>> ? 4000 : 1000;
 
-  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_hidden_arcs(graph), m_cusps(cusps) {}
+  Basic_disk_candidates(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr) : m_graph(graph), m_tree(tree), m_curvature(curvature), m_singular_ends(graph), m_hidden_arcs(graph), m_separate_faces(graph, curvature.scaled_sites() != nullptr), m_cusps(cusps) {}
 
   // How many candidates have been bounded so far: where most of the work is.
   std::size_t number_of_bounds() const { return m_number_of_bounds; }
@@ -79,7 +82,7 @@ public:
 
   /*
   Removes candidates that cannot be touched over a part of the front, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
-  or its highest point is its end, which it shares with a neighbour; or it is behind the front, or its arc. Returns a curvature that is attained for all disks, of which one may be known.
+  or its highest point is its end, which it shares with a neighbour; or it is behind the front, or its arc, or seen from another face. Returns a curvature that is attained for all disks, of which one may be known.
   */
   double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const { return prune(part, candidates, known_least, nullptr)->least; }
 
@@ -119,7 +122,7 @@ public:
           return std::nullopt;
         const std::size_t i = open.top().second;
         open.pop();
-        if (is_low(pool[i]) || (!may_be_scaled(pool[i]) && m_hidden_arcs.hold(part, pool[i])))
+        if (is_low(pool[i]) || (!may_be_scaled(pool[i]) && (m_separate_faces.hold(m_curvature, part, middle, pool[i]) || m_hidden_arcs.hold(part, pool[i]))))
           continue;
         if (is_small(part, pool[i], attained.least) || open.size() + settled.size() > most_candidates || pool.size() > most_parts)
           settled.push_back(i);
@@ -340,7 +343,7 @@ private:
     else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
       if (const Front& front = m_graph.fronts()[part.front]; !front.is_fan || front.object != item.index)
         parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
-    } else if (m_curvature.is_arc_scaled(item.index) || !m_graph.is_never_touched(part.front, item.index))
+    } else if (m_curvature.is_arc_scaled(item.index) || !(m_graph.is_never_touched(part.front, item.index) || m_separate_faces.hold(part.front, item.index)))
       add_arc(item.index, Range());
   }
 };

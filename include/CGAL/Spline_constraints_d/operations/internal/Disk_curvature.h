@@ -78,6 +78,20 @@ public:
 
   Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
 
+  // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
+  Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    Interval_pair result = jet[0] - part.jet.point;
+    if (is_accurate(result) || (!front.is_fan && front.object == arc))
+      return result;
+    for (const bool end : {false, true})
+      if (const Arc_end other{arc, end}; m_graph.is_exact(other))
+        if (const auto to_end = way_to_vertex(part, m_graph.vertex_of(other), end == (range.middle() > 0.5)))
+          result = common_part(result, *to_end + m_graph.arcs()[arc].way_from_end(end, range));
+    return result;
+  }
+
   // Over a part of a front and a range of an arc, with the enclosures of that.
   Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
@@ -265,20 +279,6 @@ private:
       return quotient(x, way, jet[1], jet[2], Interval(1));
     const auto [tangent, change] = y.tangent_jet(range);
     return quotient(x, way, tangent, change, y.tangent_factor(range));
-  }
-
-  // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
-  Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
-  {
-    const Front& front = m_graph.fronts()[part.front];
-    Interval_pair result = jet[0] - part.jet.point;
-    if (is_accurate(result) || (!front.is_fan && front.object == arc))
-      return result;
-    for (const bool end : {false, true})
-      if (const Arc_end other{arc, end}; m_graph.is_exact(other))
-        if (const auto to_end = way_to_vertex(part, m_graph.vertex_of(other), end == (range.middle() > 0.5)))
-          result = common_part(result, *to_end + m_graph.arcs()[arc].way_from_end(end, range));
-    return result;
   }
 
   // From the front to a vertex.

@@ -36,13 +36,14 @@ public:
 
   explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 
-  // Whether a part is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
-  static bool is_tried(const Range& range, double split_ratio)
+  // Whether a part of a front of some size, 1 if it is large, is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
+  static bool is_tried(const Range& range, double split_ratio, double size = 1)
   {
     constexpr double most_width = 0x1p-20;
     constexpr int halvings = 4;   // between two tries
     const auto step = [](double width) { return std::ilogb(width) / halvings; };
-    return range.width() < most_width && step(range.width()) != step(range.width() / (1 - split_ratio));
+    const double width = range.width() * size;
+    return width < most_width && (range.width() == 1 || step(width) != step(width / (1 - split_ratio)));
   }
 
   const Basic_site_graph_2<Fine_interval>& graph() const

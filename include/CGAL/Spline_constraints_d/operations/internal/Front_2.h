@@ -44,6 +44,7 @@ struct Basic_front
   std::array<Interval_pair, 2> normals{};
   std::array<std::vector<Arc_end>, 2> perpendicular_ends{};   // to the exact normals, of arcs that end in the vertex
   std::size_t next = 0;      // where the traversal goes on
+  std::size_t cycle = 0, component = 0;   // of the traversal, and of the connected arcs that it belongs to
 };
 
 using Front = Basic_front<Interval>;

@@ -36,7 +36,7 @@ public:
       m_graph->add_point(point);
     for (const Coincident_parts_2& parts : m_crossings.coincident_parts())
       m_graph->add_coincident_parts(parts);
-    m_graph->close(m_crossings.are_complete());
+    m_graph->close(m_crossings.are_complete(), m_crossings.are_cut());
   }
 
   std::shared_ptr<const Site_graph_2> operator()() const { return m_graph; }

@@ -17,7 +17,7 @@ namespace internal {
 /*
 Arcs that leave an end of the arc of a front on its other side, if only by a tiny angle.
 
-A disk that touches the front in X, and has none of its arc inside, lies beyond the arc where both are graphs over the tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the front only in ends; so where it goes away from P along the tangent, no farther than
+A disk that touches the front in X, and has none of its arc inside, lies beyond the arc where both are graphs over the tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the front only in ends, if the graph is planar; so where it goes away from P along the tangent, no farther than
 the arc of the front does, no such disk passes through it.
 */
 template <Enclosing_number Interval>
@@ -39,7 +39,7 @@ public:
   bool hold(const Front_part& part, const Disk_candidate& candidate) const
   {
     const Front& front = m_graph.fronts()[part.front];
-    if (front.is_fan || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == front.object || !m_graph.is_proved())
+    if (front.is_fan || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == front.object || !m_graph.is_planar())
       return false;
     for (const bool own_end : {false, true})
       for (const bool end : {false, true})

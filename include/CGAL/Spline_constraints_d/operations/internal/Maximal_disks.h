@@ -99,6 +99,7 @@ class Basic_maximal_disks
   Disk_slopes* m_slopes = nullptr;   // of the front
   std::vector<Disk_stretch> m_stretches;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
+  double m_size = 1;   // of the front: that of its arc, as a part of that of everything
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
@@ -117,6 +118,7 @@ public:
   {
     Disk_slopes slopes(m_graph, front);
     m_slopes = &slopes;
+    m_size = m_graph.fronts()[front].is_fan ? 1 : std::sqrt(m_tree.squared_size(m_graph.fronts()[front].object) / m_tree.squared_size());
     m_stretches.clear();
     m_unresolved.reset();
     m_nodes = 0;
@@ -180,7 +182,7 @@ private:
       return;
     const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
     const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);   // with numbers that tell the normals of such a joint apart
-    if ((is_divided_there || Fine_level::is_tried(range, split_ratio)) && resolve_on_fine_level(front, range, candidates, is_divided_there))
+    if ((is_divided_there || Fine_level::is_tried(range, split_ratio, m_size)) && resolve_on_fine_level(front, range, candidates, is_divided_there))
       return;
     if (is_last) {
       if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything

@@ -9,6 +9,7 @@
 #include <CGAL/Spline_constraints_d/operations/internal/Coincident_parts_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Front_2.h>
 #include <CGAL/Spline_constraints_d/operations/internal/Site_vertex_2.h>
+#include <CGAL/Spline_constraints_d/operations/internal/front_cycles.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ private:
   std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
   std::vector<Coincident_parts_2> m_coincident_parts;
-  bool m_is_proved = true;
+  bool m_is_proved = true, m_is_planar = true;
 
   template <Enclosing_number Other>
   friend class Basic_site_graph_2;
@@ -74,7 +75,7 @@ public:
   template <Enclosing_number Other>
   explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
     : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
-      m_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved)
+      m_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved), m_is_planar(other.m_is_planar)
   {
     for (const Exact_arc_2& arc : other.m_arcs)
       m_arcs.emplace_back(arc);
@@ -84,8 +85,8 @@ public:
       for (const Arc_end& end : ends)
         vertex.enclose_by_end(m_arcs[end.arc], end.is_end);
     }
-    for (const auto& [is_fan, object, is_reversed, exact_normals, normals, perpendicular_ends, next] : other.m_fronts)
-      m_fronts.push_back({is_fan, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next});
+    for (const auto& [is_fan, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle, component] : other.m_fronts)
+      m_fronts.push_back({is_fan, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next, cycle, component});
     for (const Vertex& vertex : m_vertices)
       find_continuations(vertex);
   }
@@ -128,10 +129,11 @@ public:
   // For parts that other curves have, too, and only one of which has been added.
   void add_coincident_parts(const Coincident_parts_2& parts) { m_coincident_parts.push_back(parts); }
 
-  // Orders the arcs around the vertices, and makes the fronts. Where some may overlap, the graph is not proved.
-  void close(bool are_arcs_disjoint = true)
+  // Orders the arcs around the vertices, and makes the fronts. Where some may overlap, the graph is not proved; where some may cross, it is not planar.
+  void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true)
   {
     m_is_proved = are_arcs_disjoint;
+    m_is_planar = are_crossings_cut;
     for (std::size_t i = 0; i < m_arcs.size(); ++i) {
       m_fronts.push_back({false, i, false});
       m_fronts.push_back({false, i, true});
@@ -143,6 +145,7 @@ public:
       find_continuations(m_vertices[v]);
       connect_fronts(v);
     }
+    number_cycles(m_fronts);
   }
 
   const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
@@ -184,6 +187,9 @@ public:
 
   // Whether the order of the arcs around all vertices is proved, and no arcs are known to overlap.
   bool is_proved() const { return m_is_proved; }
+
+  // Whether, besides, arcs meet in their ends only.
+  bool is_planar() const { return m_is_proved && m_is_planar; }
 
   const Arc_continuations& continuations(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
   const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return continuations(end).only; }
