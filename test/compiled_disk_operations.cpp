@@ -3,7 +3,7 @@
 
 #include "compiled_disk_operations.h"
 
-namespace CGAL::Spline_constraints::internal {
+namespace CGAL::Spline_constraints::internal::Voronoi {
 
 template Disk_diagram
 disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>, const std::string&);
@@ -14,4 +14,4 @@ offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, const E
 template Sector_disks
 sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, std::shared_ptr<const Scaled_sites>, const std::vector<std::size_t>&);
 
-} // namespace CGAL::Spline_constraints::internal
+} // namespace CGAL::Spline_constraints::internal::Voronoi

@@ -8,11 +8,11 @@
 
 #include "compiled_solvers.h"
 
-#include <CGAL/Spline_constraints_d/operations/internal/Disk_diagram.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Offset_cycles.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Sector_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Disk_diagram.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Offset_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Sector_disks.h>
 
-namespace CGAL::Spline_constraints::internal {
+namespace CGAL::Spline_constraints::internal::Voronoi {
 
 extern template Disk_diagram
 disk_diagram<CGAL::Sequential_tag>(const Site_graph_2&, std::vector<std::size_t>, const std::string&);
@@ -23,6 +23,6 @@ offset_cycles<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, const E
 extern template Sector_disks
 sector_disks<CGAL::Sequential_tag>(std::shared_ptr<const Site_graph_2>, std::shared_ptr<const Scaled_sites>, const std::vector<std::size_t>&);
 
-} // namespace CGAL::Spline_constraints::internal
+} // namespace CGAL::Spline_constraints::internal::Voronoi
 
 #endif // TEST_COMPILED_DISK_OPERATIONS_H

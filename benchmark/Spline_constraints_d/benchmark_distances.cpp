@@ -3,9 +3,9 @@
 
 // Closest points of splines with many pieces: a point and a curve, two curves, a point and a surface, a curve and a surface. The argument is the number of pieces along each parameter.
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_3.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
-#include <CGAL/Spline_constraints_d/operations/closest_points.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,7 +6,7 @@
 #include "compare_in_turns.h"
 #include "polygon_area.h"
 
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

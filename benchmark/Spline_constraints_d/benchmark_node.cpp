@@ -20,8 +20,8 @@
 // derivatives  bounds, and the bounds of all partial derivatives
 // image        linear, precondition, derivatives and the contraction bound
 
-#include <CGAL/Spline_constraints_d/solver/Box_node.h>
-#include <CGAL/Spline_constraints_d/solver/Dense_preconditioner.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Box_node.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Dense_preconditioner.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
 #include <CGAL/Spline_constraints_d/solver/reductions.h>

@@ -4,15 +4,15 @@
 // Many curves: all intersections of 1,000 cubic segments with 1,000 others, as in a drawing, of two splines with many pieces, and of splines and polylines with themselves; curves of
 // solutions; intersection curves of surfaces; bisectors, alpha-sectors and envelopes.
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/alpha_sectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
-#include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
-#include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/self_intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/loci/alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -7,8 +7,8 @@
 
 #include "compare_in_turns.h"
 
-#include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
-#include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
+#include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_extremes.h>

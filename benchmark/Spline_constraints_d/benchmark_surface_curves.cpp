@@ -3,15 +3,15 @@
 
 // Curves on one surface: silhouettes, parabolic lines, umbilics, plane sections, boundaries of what a tool reaches, silhouettes of sweeps, self-intersections, and curves along which two surfaces touch.
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/accessibility.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
-#include <CGAL/Spline_constraints_d/operations/parabolic_lines.h>
-#include <CGAL/Spline_constraints_d/operations/plane_sections.h>
-#include <CGAL/Spline_constraints_d/operations/self_intersection_curves.h>
-#include <CGAL/Spline_constraints_d/operations/silhouettes.h>
-#include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
-#include <CGAL/Spline_constraints_d/operations/umbilics.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/accessibility.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/parabolic_lines.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/plane_sections.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/self_intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
 
 #include <CGAL/Simple_cartesian.h>
 

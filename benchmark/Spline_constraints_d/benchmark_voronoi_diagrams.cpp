@@ -4,9 +4,9 @@
 // Voronoi diagrams of 10, 100 and 1,000 cubic segments, each in a cell of its own, of points, of closed chains of cubics with decimal coordinates, whose joints are smooth but for rounding, and of random scenes of 2 to 51 cubics that cross themselves, or
 // each other as well. `complete` is 1 where all of the diagram is proved; of chains and scenes it is the number of those.
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

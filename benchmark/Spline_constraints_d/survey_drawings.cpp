@@ -7,17 +7,17 @@
 //
 // Of a folder, all drawings in it are taken, as of a folder of glyphs. With smoothed, what is asked for is the diagram of the curves with smooth joints, up to some angle. With sum_and_offset the sum with a disk is compared with the offset at its radius, which other code makes: by their areas. Regions and sums are those of drawings whose closed curves bound a region. Offsets, axes and sums of others are refused.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
-#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
-#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

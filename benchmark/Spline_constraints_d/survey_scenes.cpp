@@ -27,19 +27,19 @@
 // - fork_sectors: of the first two of the same curves, and their bisectors; the same as of sectors.
 // - rotated: diagrams of closed chains that would be smooth, ellipses, rounded rectangles and closed splines of 4 to 8 cubics, rotated by some angle, so that they have kinks of rounding errors; the same.
 // - smoothed: the same chains after with_smooth_joints().
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
-#include <CGAL/Spline_constraints_d/operations/exact_joints_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
-#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/joints/exact_joints_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_traits_2.h>

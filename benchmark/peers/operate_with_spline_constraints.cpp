@@ -4,11 +4,11 @@
 // This package: intersections(), intersection_curves() with polylines, and closest_points(), with exact decisions.
 #include "operation_problems.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/closest_points.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
-#include <CGAL/Spline_constraints_d/operations/intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,9 +3,9 @@
 
 // All feet of the perpendiculars from three points to an ellipse, and the closest points of two cubic curves, in exact numbers; drawn into closest_points.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/closest_points.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

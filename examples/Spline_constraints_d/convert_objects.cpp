@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Objects of CGAL as splines, and splines as objects of CGAL, without rounding.
-#include <CGAL/Spline_constraints_d/geometry/clipped_lines.h>
-#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/from_bspline.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

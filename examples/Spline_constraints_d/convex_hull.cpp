@@ -8,7 +8,7 @@
 // Writes convex_hull.svg. Exit status: 0 when all of the boundary is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,10 +3,10 @@
 
 // What is special along a curve, drawn into curve_analysis.svg: inflections, vertices, the highest and lowest points, and the lines that touch it twice.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/bitangents_2.h>
-#include <CGAL/Spline_constraints_d/operations/curve_features_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/bitangents_2.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/curve_features_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

@@ -3,7 +3,7 @@
 
 // The faces of an arrangement of curves of solutions: where T5(x) is larger than T6(y), drawn into curve_arrangement.svg. Across each edge of the curve, the sign changes.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <fstream>

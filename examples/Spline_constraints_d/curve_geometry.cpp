@@ -3,7 +3,7 @@
 
 // The geometry of a curve of solutions: its tangents and curvature, its turning points and vertices, proved to be all, and a B-spline curve next to it. Draws them into curve_geometry.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_extremes.h>

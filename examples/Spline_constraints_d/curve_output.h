@@ -7,7 +7,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_VTP.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
 
 #include <CGAL/Simple_cartesian.h>

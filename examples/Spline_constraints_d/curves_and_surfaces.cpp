@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Curves and surfaces over a kernel of CGAL: an exact circle, a spline through points, and the torus that a circle sweeps.
-#include <CGAL/Spline_constraints_d/geometry/cubic_interpolation.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

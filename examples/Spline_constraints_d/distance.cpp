@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The Hausdorff distances of a B-spline curve and its control polygon, both one-sided ones and the larger of them, drawn into distance.svg.
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/hausdorff_distance.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

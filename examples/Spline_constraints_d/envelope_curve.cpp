@@ -6,7 +6,7 @@
 //
 // Writes envelope_curve.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/envelope_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/envelope_curves_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

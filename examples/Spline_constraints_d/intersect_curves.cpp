@@ -3,9 +3,9 @@
 
 // Intersects a circle with three other curves, in exact numbers, and draws them into intersect_curves.svg: a cubic that crosses it, a line that touches it,
 // and an arc that lies on a piece of it.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

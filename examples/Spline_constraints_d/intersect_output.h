@@ -9,7 +9,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/Spline_file.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,8 +3,8 @@
 
 // A curve that weaves through a surface, and a ray through both of them, in exact numbers; drawn into intersect_surfaces.svg. Then lines and planes with a sphere.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/contact_points.h>
-#include <CGAL/Spline_constraints_d/operations/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/contact_points.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

@@ -8,8 +8,8 @@
 // Writes medial_axis.svg, with the axis and some of the disks around its points that touch the boundary twice. Exit status: 0 when all of the axis is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -3,12 +3,12 @@
 
 // The offset of a curve, with its cusps and where it meets itself and an implicit curve, drawn into offset_intersections.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/Implicit_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/locus_intersections.h>
-#include <CGAL/Spline_constraints_d/operations/offset_arcs_2.h>
-#include <CGAL/Spline_constraints_d/operations/offset_features_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/offset_arcs_2.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

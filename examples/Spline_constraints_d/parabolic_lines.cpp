@@ -4,7 +4,7 @@
 // The parabolic lines of a bicubic B-spline surface, between what is curved like an egg and what is curved like a saddle. Drawn into parabolic_lines.svg, thin where the surface hides them.
 #include "surface_scene.h"
 
-#include <CGAL/Spline_constraints_d/operations/parabolic_lines.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/parabolic_lines.h>
 
 #include <fstream>
 #include <iostream>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All closed paths of a ray that three circles reflect, once each, drawn into ray_traps.svg side by side.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/ray_traps_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/ray_traps_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

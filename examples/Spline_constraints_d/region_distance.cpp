@@ -7,9 +7,9 @@
 //
 // Writes region_distance.svg: an obstacle (gray), and a part in five positions, each with its nearest points; red where it collides. Exit status: 0 when all is proved, 3 when something is not.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_distances_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

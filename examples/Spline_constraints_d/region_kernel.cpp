@@ -5,8 +5,8 @@
 //
 // Writes region_kernel.svg. Exit status: 0 when all is proved, 3 when a part is not.
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
-#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -5,7 +5,7 @@
 //
 // Writes self_bisector.svg. Exit status: 0 when nothing is undecided, 3 when something is, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -4,7 +4,7 @@
 // The curve in which a surface meets itself: it runs from one pinch point to another one. Drawn into self_intersection_curves.svg, thin where the surface hides it.
 #include "surface_scene.h"
 
-#include <CGAL/Spline_constraints_d/operations/self_intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/self_intersection_curves.h>
 
 #include <cmath>
 #include <fstream>

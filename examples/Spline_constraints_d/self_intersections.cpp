@@ -3,8 +3,8 @@
 
 // Where a closed B-spline curve crosses itself, drawn into self_intersections.svg: in two colors, as the later branch comes from the right or from the left.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/operations/self_intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

@@ -11,8 +11,8 @@
 
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/silhouettes.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
 
 #include <fstream>
 #include <iostream>

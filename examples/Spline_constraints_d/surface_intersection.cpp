@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/IO/read_IRIT.h>
 #include <CGAL/Spline_constraints_d/IO/read_g2.h>
 #include <CGAL/Spline_constraints_d/IO/write_VTP.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 
 #include <fstream>
 #include <iostream>

@@ -6,8 +6,8 @@
 #define SURFACE_SCENE_H
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -5,8 +5,8 @@
 // Exit status: 0 when nothing is undecided, 3 when something is.
 #include "surface_scene.h"
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 
 #include <fstream>
 #include <iostream>

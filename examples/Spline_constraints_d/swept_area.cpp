@@ -5,9 +5,9 @@
 //
 // Writes swept_area.svg, and swept_area.wkt, with the area as well-known text. Exit status: 0 when nothing is undecided, 3 when something is.
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

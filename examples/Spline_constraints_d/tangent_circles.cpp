@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // All circles that touch three curves, drawn into tangent_circles.svg; those without a point of the curves inside are bold.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/tangent_circles_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/tangent_circles_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

@@ -5,10 +5,10 @@
 // the center (blue) and where the ball touches the surface (red), into tool_paths.svg.
 #include "surface_scene.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Implicit_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/Offset_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
-#include <CGAL/Spline_constraints_d/operations/locus_intersection_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/locus_intersection_curves.h>
 
 #include <fstream>
 #include <iostream>

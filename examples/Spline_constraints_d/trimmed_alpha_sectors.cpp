@@ -7,9 +7,9 @@
 //
 // Writes trimmed_alpha_sectors.svg. Exit status: 0 when everything is proved, 3 when a part is not.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

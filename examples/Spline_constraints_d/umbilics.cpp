@@ -4,7 +4,7 @@
 // The umbilics of a bicubic B-spline surface, where its curvature is the same in all directions. Drawn into umbilics.svg as circles, thin where the surface hides them.
 #include "surface_scene.h"
 
-#include <CGAL/Spline_constraints_d/operations/umbilics.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/umbilics.h>
 
 #include <fstream>
 #include <iostream>

@@ -3,10 +3,10 @@
 
 // The Voronoi diagram of curves as an arrangement of CGAL: its vertices, edges and faces know sites, and point location finds what is nearest. Writes voronoi_arrangement.svg.
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -8,7 +8,7 @@
 // Writes voronoi_diagram.svg, with the cells of each curve in one color. Exit status: 0 when all of the diagram is proved, 3 when a part is not, 2 for bad input.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
 #include <CGAL/Spline_constraints_d/IO/write_SVG_voronoi_diagram_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

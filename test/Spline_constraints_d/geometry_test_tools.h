@@ -6,7 +6,7 @@
 
 #include "random_tensors.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Simple_cartesian.h>

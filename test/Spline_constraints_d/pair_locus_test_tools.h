@@ -4,8 +4,8 @@
 #ifndef TEST_PAIR_LOCUS_TEST_TOOLS_H
 #define TEST_PAIR_LOCUS_TEST_TOOLS_H
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/operations/Curve_pair_locus_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

@@ -8,9 +8,9 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Implicit_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 
 #include <array>
 #include <string>

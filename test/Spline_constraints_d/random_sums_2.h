@@ -6,11 +6,11 @@
 #ifndef SPLINE_CONSTRAINTS_D_TEST_RANDOM_SUMS_2_H
 #define SPLINE_CONSTRAINTS_D_TEST_RANDOM_SUMS_2_H
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 

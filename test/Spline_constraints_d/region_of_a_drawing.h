@@ -4,9 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_TEST_REGION_OF_A_DRAWING_H
 #define CGAL_SPLINE_CONSTRAINTS_D_TEST_REGION_OF_A_DRAWING_H
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #ifndef TEST_SURFACE_TEST_NAMES_H
 #define TEST_SURFACE_TEST_NAMES_H
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 

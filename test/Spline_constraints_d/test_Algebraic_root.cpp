@@ -3,7 +3,7 @@
 
 // What only exact signs at irrational points decide: double roots, roots closer than any precision, common points of more equalities than unknowns, boundaries of inequalities.
 
-#include <CGAL/Spline_constraints_d/solver/Algebraic_root.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/Algebraic_root.h>
 
 #include "random_systems.h"
 #include "solver_test_checks.h"

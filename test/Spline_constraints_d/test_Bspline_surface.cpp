@@ -3,7 +3,7 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

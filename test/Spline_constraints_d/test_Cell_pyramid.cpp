@@ -3,8 +3,8 @@
 
 // Cells that hold a planted solution are visited; those that the bounds exclude are not.
 
-#include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
-#include <CGAL/Spline_constraints_d/solver/System_layout.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 // Implicit curves and surfaces: where they come from, and exact values.
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/from_cgal_polynomial.h>
-#include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/from_cgal_polynomial.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Gmpz.h>

@@ -3,10 +3,10 @@
 
 // Points of curves and surfaces by ranges of parameters, and which maps are closed.
 
-#include <CGAL/Spline_constraints_d/geometry/Point_on_spline.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

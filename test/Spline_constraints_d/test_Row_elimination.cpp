@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Spline_constraints_d/solver/internal/Row_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Row_elimination.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "arrangement_test_tools.h"
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/bezier_traits_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/bezier_traits_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 
 #include <CGAL/Arr_Bezier_curve_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>

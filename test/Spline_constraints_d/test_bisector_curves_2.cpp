@@ -5,9 +5,9 @@
 
 #include "pair_locus_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/operations/bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 
 // Lines tangent to two curves, or twice to one, with known answers.
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/bitangents_2.h>
-#include <CGAL/Spline_constraints_d/operations/curve_features_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/bitangents_2.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/curve_features_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

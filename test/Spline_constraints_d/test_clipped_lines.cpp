@@ -3,7 +3,7 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/clipped_lines.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

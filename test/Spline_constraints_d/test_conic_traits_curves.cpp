@@ -4,8 +4,8 @@
 #include "arrangement_test_tools.h"
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/conic_traits_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/conic_traits_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/from_bspline.h>
 
 #include <CGAL/Arr_conic_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>

@@ -6,7 +6,7 @@
 #include "surface_test_names.h"
 
 #include <CGAL/Spline_constraints_d/function/common_factor.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,12 @@
 // Voronoi diagrams of curves that cross each other or themselves, end on another one, touch, or have pieces in common: circles that cross in irrational points against the ellipse and the line their bisector consists of, segments in closed form; random cubics, where every disk is empty and Euler's formula holds.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Crossing_refinement.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Graph_of_crossing_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Separate_faces.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Crossing_refinement.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Graph_of_crossing_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Separate_faces.h>
 
 #include <gtest/gtest.h>
 
@@ -135,7 +135,7 @@ TEST(CrossingCurves, ThinLoops)
 // Cuts where curves touch at rational parameters, not where they do at irrational ones, which is known, or three of them pass through an irrational point.
 TEST(CrossingCurves, Cuts)
 {
-  const auto graph = [](const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), {}); };
+  const auto graph = [](const Curves& curves) { return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::Voronoi::site_curves(curves), {}); };
   const auto number_of_arcs = [&](const Curves& curves) { return graph(curves)->arcs().size(); };
   const Curve parabola = bezier({P(-2, 4), P(0, -4), P(2, 4)});   // y = x^2
   EXPECT_EQ(number_of_arcs({parabola, bezier({P(-1, 0), P(1, 0)})}), 4U);
@@ -217,7 +217,7 @@ TEST(CrossingCurves, ThinLens)
   EXPECT_EQ(number_of_parts(diagram), 9U);
 }
 
-std::shared_ptr<const SC::internal::Site_graph_2> graph_of(const Curves& curves) { return SC::internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::site_curves(curves), std::vector<P>()); }
+std::shared_ptr<const SC::internal::Voronoi::Site_graph_2> graph_of(const Curves& curves) { return SC::internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(SC::internal::Voronoi::site_curves(curves), std::vector<P>()); }
 
 // What rounding makes of a curve that leaves the begin of a segment with its tangent: the curve crosses the segment again, so soon that the lens between is thinner than the last place of coordinates. Both of its sides touch each other all along, and so do, up to the end of the segment, the sides of the wedge behind the crossing.
 TEST(CrossingCurves, LensBelowTheLastPlace)
@@ -227,46 +227,46 @@ TEST(CrossingCurves, LensBelowTheLastPlace)
   const auto graph = graph_of({bezier({o, o + 4 * d}), bezier({o, o + 2 * d - 1e-8 * n, o + 4 * d + n})});
   ASSERT_EQ(graph->arcs().size(), 4U);
   const SC::Upward_rounding_guard guard;
-  const SC::internal::Site_tree_2 tree(*graph);
-  const SC::internal::Cusps_2 cusps = SC::internal::Cusp_finder_2(*graph, tree)();
-  const SC::internal::Fine_level fine(*graph);
+  const SC::internal::Voronoi::Site_tree_2 tree(*graph);
+  const SC::internal::Voronoi::Cusps_2 cusps = SC::internal::Voronoi::Cusp_finder_2(*graph, tree)();
+  const SC::internal::Voronoi::Fine_level fine(*graph);
   for (const auto& [front, touched] : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 3}}) {   // the right side of the segment in the lens, and the left one behind it
-    const auto stretches = SC::internal::Maximal_disks(*graph, tree, cusps, &fine)(front);
+    const auto stretches = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine)(front);
     ASSERT_EQ(stretches.size(), 1U);
     EXPECT_EQ(stretches[0].contact.index, touched);
     EXPECT_TRUE(stretches[0].range.begin == 0 && stretches[0].range.end == 1);
-    EXPECT_EQ(stretches[0].events, (std::array{SC::internal::Disk_event::NONE, SC::internal::Disk_event::NONE}));
+    EXPECT_EQ(stretches[0].events, (std::array{SC::internal::Voronoi::Disk_event::NONE, SC::internal::Voronoi::Disk_event::NONE}));
   }
 }
 
 // Whether a number is between the squares of two others.
-bool is_square_within(const SC::internal::Parameter_range& range, const SC::Exact_rational& square) { return range.first * range.first < square && square < range.second * range.second; }
+bool is_square_within(const SC::internal::Common::Parameter_range& range, const SC::Exact_rational& square) { return range.first * range.first < square && square < range.second * range.second; }
 
 // The parabola and lines in irrational points: the ranges hold the roots, and are as narrow as they are to be, beside the ends of pieces as well; and a circle, in homogeneous coordinates.
 TEST(CrossingCurves, RangesOfCrossings)
 {
   using SC::Exact_rational;
-  const auto half_width = [](const SC::internal::Parameter_range& range) { return CGAL::to_double(Exact_rational((range.second - range.first) / 2)); };
-  const auto piece_of = [](const Curve& curve) { return SC::internal::site_curves(Curves{curve})[0].pieces[0]; };
-  const auto around = [](double t) { return SC::internal::Parameter_range(Exact_rational(t * (1 - 0x1p-40)), Exact_rational(t * (1 + 0x1p-40))); };
-  const SC::internal::Homogeneous_piece parabola = piece_of(bezier({P(0, 0), P(0.5, 0), P(1, 1)}));
+  const auto half_width = [](const SC::internal::Common::Parameter_range& range) { return CGAL::to_double(Exact_rational((range.second - range.first) / 2)); };
+  const auto piece_of = [](const Curve& curve) { return SC::internal::Voronoi::site_curves(Curves{curve})[0].pieces[0]; };
+  const auto around = [](double t) { return SC::internal::Common::Parameter_range(Exact_rational(t * (1 - 0x1p-40)), Exact_rational(t * (1 + 0x1p-40))); };
+  const SC::internal::Common::Homogeneous_piece parabola = piece_of(bezier({P(0, 0), P(0.5, 0), P(1, 1)}));
   for (const double height : {0.5, 0x1p-41, 0x1p-81}) {
     const double t = std::sqrt(height);
-    const auto [on_parabola, on_line] = SC::internal::Crossing_refinement(parabola, piece_of(bezier({P(0, height), P(1, height)})))({around(t), around(t)});
+    const auto [on_parabola, on_line] = SC::internal::Voronoi::Crossing_refinement(parabola, piece_of(bezier({P(0, height), P(1, height)})))({around(t), around(t)});
     EXPECT_TRUE(is_square_within(on_parabola, height) && is_square_within(on_line, height));
     EXPECT_LT(half_width(on_parabola), 0x1p-119 * t);
     EXPECT_GT(half_width(on_parabola), 0x1p-130 * t);   // not longer numbers than need be
     EXPECT_LT(half_width(on_line), 0x1p-119 * t);
   }
-  const SC::internal::Homogeneous_piece line = piece_of(bezier({P(0.5 - 0x1p-30, 0.25), P(1.5, 0.25 + 0x1p-10)}));   // begins next to the parabola, whose end is far away
-  const auto at_its_begin = SC::internal::Crossing_refinement(parabola, line)({around(0.5), SC::internal::Parameter_range(Exact_rational(0x1p-31), Exact_rational(0x1p-29))});
+  const SC::internal::Common::Homogeneous_piece line = piece_of(bezier({P(0.5 - 0x1p-30, 0.25), P(1.5, 0.25 + 0x1p-10)}));   // begins next to the parabola, whose end is far away
+  const auto at_its_begin = SC::internal::Voronoi::Crossing_refinement(parabola, line)({around(0.5), SC::internal::Common::Parameter_range(Exact_rational(0x1p-31), Exact_rational(0x1p-29))});
   EXPECT_LT(half_width(at_its_begin[0]), 0x1p-119);
   EXPECT_LT(half_width(at_its_begin[1]), 0x1p-148);
   const Curve circle = SC::circle_curve(P(0, 0), 1);
   double before = circle.domain(0).first, behind = before + (circle.domain(0).second - before) / 4;   // of the diagonal
   while (behind - before > 0x1p-40)
     (circle((before + behind) / 2).x() > circle((before + behind) / 2).y() ? before : behind) = (before + behind) / 2;
-  const auto [on_circle, on_line] = SC::internal::Crossing_refinement(piece_of(circle), piece_of(bezier({P(0, 0), P(1, 1)})))({SC::internal::Parameter_range(before, behind), around(std::sqrt(0.5))});
+  const auto [on_circle, on_line] = SC::internal::Voronoi::Crossing_refinement(piece_of(circle), piece_of(bezier({P(0, 0), P(1, 1)})))({SC::internal::Common::Parameter_range(before, behind), around(std::sqrt(0.5))});
   EXPECT_TRUE(is_square_within(on_line, Exact_rational(1) / 2));
   EXPECT_LT(half_width(on_line), 0x1p-118);
   EXPECT_LT(half_width(on_circle), 0x1p-110);
@@ -276,20 +276,20 @@ TEST(CrossingCurves, RangesOfCrossings)
 TEST(CrossingCurves, FacesBehindArcs)
 {
   const SC::Upward_rounding_guard guard;
-  const auto candidate = [](const SC::internal::Site_graph_2& graph, std::size_t arc, const SC::internal::Range& range) { return SC::internal::Disk_candidate{SC::internal::Candidate_kind::ARC, arc, range, graph.arcs()[arc].jet(range)}; };
+  const auto candidate = [](const SC::internal::Voronoi::Site_graph_2& graph, std::size_t arc, const SC::internal::Common::Range& range) { return SC::internal::Voronoi::Disk_candidate{SC::internal::Voronoi::Candidate_kind::ARC, arc, range, graph.arcs()[arc].jet(range)}; };
   const auto rooms = graph_of({bezier({P(0, 0), P(4, 0)}), bezier({P(4, 0), P(4, 4)}), bezier({P(4, 4), P(0, 4)}), bezier({P(0, 4), P(0, 0)}), bezier({P(4, 0), P(8, 0)}), bezier({P(8, 0), P(8, 4)}), bezier({P(8, 4), P(4, 4)}), bezier({P(10, 1), P(10, 3)})});
-  const SC::internal::Separate_faces faces(*rooms, false);
+  const SC::internal::Voronoi::Separate_faces faces(*rooms, false);
   for (std::size_t arc = 0; arc < 8; ++arc) {
     EXPECT_EQ(faces.hold(0, arc), 4 <= arc && arc < 7) << arc;   // from inside of the first room: the walls of the other one; a curve apart is not known to be outside
     EXPECT_EQ(faces.hold(1, arc), arc == 1) << arc;              // from outside: the wall between
   }
   const auto lens = graph_of({bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, -1), P(4, 1)})});   // arcs 0 and 2 around the lens, from (0,0) to (8/3,0)
-  const SC::internal::Separate_faces beside_lens(*lens, false);
-  const SC::internal::Disk_curvature curvature(*lens);
-  const auto is_left_out = [&](std::size_t front, const SC::internal::Range& part, std::size_t arc, const SC::internal::Range& range) {
+  const SC::internal::Voronoi::Separate_faces beside_lens(*lens, false);
+  const SC::internal::Voronoi::Disk_curvature curvature(*lens);
+  const auto is_left_out = [&](std::size_t front, const SC::internal::Common::Range& part, std::size_t arc, const SC::internal::Common::Range& range) {
     return beside_lens.hold(curvature, curvature.part(front, part), curvature.part(front, {part.middle(), part.middle()}), candidate(*lens, arc, range));
   };
-  for (const SC::internal::Range& range : {SC::internal::Range{0, 0.25}, {0.25, 0.5}, {0.5, 0.75}, {0.96875, 1}}) {
+  for (const SC::internal::Common::Range& range : {SC::internal::Common::Range{0, 0.25}, {0.25, 0.5}, {0.5, 0.75}, {0.96875, 1}}) {
     EXPECT_TRUE(is_left_out(6, {0.3, 0.31}, 2, range)) << range.begin;   // from above, behind the segment
     EXPECT_FALSE(is_left_out(6, {0.3, 0.31}, 0, range));                 // the segment before
     EXPECT_FALSE(is_left_out(1, {0.3, 0.31}, 2, range));                 // from the lens

@@ -3,10 +3,10 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/conic_curve.h>
-#include <CGAL/Spline_constraints_d/geometry/cubic_interpolation.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/conic_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/cubic_interpolation.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,8 +4,8 @@
 // Derivatives, tangents and curvatures of curves of solutions: exact values on circles, Viviani's curve and great circles, Taylor's theorem on random curves, breaks of splines.
 
 #include <CGAL/Spline_constraints_d/function/Spline_map.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 #include <CGAL/Spline_constraints_d/solver/curve_polyline.h>

@@ -3,9 +3,9 @@
 
 // Inflections, vertices and extreme points of planar curves with known answers.
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/curve_features_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/curve_features_2.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

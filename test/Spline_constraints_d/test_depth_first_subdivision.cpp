@@ -3,7 +3,7 @@
 
 // The driver of the solver with an examiner that has nothing but what the driver may ask for.
 
-#include <CGAL/Spline_constraints_d/solver/internal/Depth_first_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Depth_first_subdivision.h>
 
 #include <gtest/gtest.h>
 

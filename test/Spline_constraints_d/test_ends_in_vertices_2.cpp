@@ -4,9 +4,9 @@
 // Voronoi diagrams of arcs that end in a vertex of their curve, where the derivative of the curvature is zero, as half a parabola does, or next to one: alone, in corners, and where two of them join.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/operations/internal/powers_of_zeros.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/powers_of_zeros.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <gtest/gtest.h>
 
@@ -180,10 +180,10 @@ TEST(EndsInVertices, PowersOfZeros)
   const auto a = SC::Power_polynomial::variable(0), b = SC::Power_polynomial::variable(1);
   const auto times = [](int factor, const SC::Power_polynomial& p) { return SC::Power_polynomial(factor) * p; };
   using Powers = std::pair<int, int>;
-  EXPECT_EQ(SC::internal::powers_of_zeros(times(16, pow(a, 5)) - times(2, a * b * (a + b)) - times(2, pow(b, 5))), Powers(1, 3));
-  EXPECT_EQ(SC::internal::powers_of_zeros(a - pow(b, 3)), Powers(3, 1));
-  EXPECT_EQ(SC::internal::powers_of_zeros(a * pow(b, 2) - pow(a, 2) * b), Powers(1, 1));
-  EXPECT_FALSE(SC::internal::powers_of_zeros(a + pow(b, 3)).has_value());
-  EXPECT_FALSE(SC::internal::powers_of_zeros(pow(a, 4) - a * b + pow(b, 4)).has_value());
-  EXPECT_FALSE(SC::internal::powers_of_zeros(SC::Power_polynomial()).has_value());
+  EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(times(16, pow(a, 5)) - times(2, a * b * (a + b)) - times(2, pow(b, 5))), Powers(1, 3));
+  EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(a - pow(b, 3)), Powers(3, 1));
+  EXPECT_EQ(SC::internal::Voronoi::powers_of_zeros(a * pow(b, 2) - pow(a, 2) * b), Powers(1, 1));
+  EXPECT_FALSE(SC::internal::Voronoi::powers_of_zeros(a + pow(b, 3)).has_value());
+  EXPECT_FALSE(SC::internal::Voronoi::powers_of_zeros(pow(a, 4) - a * b + pow(b, 4)).has_value());
+  EXPECT_FALSE(SC::internal::Voronoi::powers_of_zeros(SC::Power_polynomial()).has_value());
 }

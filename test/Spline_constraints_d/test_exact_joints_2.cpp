@@ -4,9 +4,9 @@
 // Curves that nearly meet, made to meet exactly: planted ends, tangents, what stays as it is, and complete diagrams of forks whose points are rounded.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-#include <CGAL/Spline_constraints_d/operations/exact_joints_2.h>
+#include <CGAL/Spline_constraints_d/operations/joints/exact_joints_2.h>
 
 #include <gtest/gtest.h>
 

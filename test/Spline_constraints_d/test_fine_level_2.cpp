@@ -4,18 +4,18 @@
 // The level above doubles of Voronoi diagrams: its numbers and enclosures against exact rational ones, and diagrams that doubles cannot decide.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Cusp_finder_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Disk_reach.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Fine_level.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Located_contact.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Maximal_disks.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Nearest_sites_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Stretch_disks.h>
-#include <CGAL/Spline_constraints_d/operations/internal/site_graphs_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disk_reach.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Nearest_sites_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Stretch_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/site_graphs_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
 
 #include <gtest/gtest.h>
 
@@ -28,11 +28,11 @@
 #include <vector>
 
 using SC::Exact_rational;
-using SC::internal::Exact_arc_2;
+using SC::internal::Common::Exact_arc_2;
 using SC::internal::Exact_pair;
-using SC::internal::Fine_interval;
-using SC::internal::Interval;
-using SC::internal::Range;
+using SC::internal::Common::Fine_interval;
+using SC::internal::Common::Interval;
+using SC::internal::Common::Range;
 
 // The least of what the enclosures of sites ask of a number.
 class Least_number
@@ -46,7 +46,7 @@ public:
   Least_number(double x) : m_x(x) {}
   Least_number(double lower, double upper) : m_x(lower, upper) {}
   Least_number(const Interval& x) : m_x(x) {}
-  explicit Least_number(const Exact_rational& x) : m_x(SC::internal::interval_of(x)) {}
+  explicit Least_number(const Exact_rational& x) : m_x(SC::internal::Common::interval_of(x)) {}
 
   double inf() const { return m_x.inf(); }
   double sup() const { return m_x.sup(); }
@@ -61,7 +61,7 @@ public:
   friend Least_number operator*(Least_number x, const Least_number& y) { return x *= y; }
   friend Least_number operator/(Least_number x, const Least_number& y) { return x /= y; }
   friend Least_number hull(const Least_number& x, const Least_number& y) { return {SC::internal::hull(x.m_x, y.m_x), 0}; }
-  friend Least_number common_part(const Least_number& x, const Least_number& y) { return {SC::internal::common_part(x.m_x, y.m_x), 0}; }
+  friend Least_number common_part(const Least_number& x, const Least_number& y) { return {SC::internal::Common::common_part(x.m_x, y.m_x), 0}; }
 };
 
 namespace CGAL {
@@ -87,12 +87,12 @@ public:
 
 } // namespace CGAL
 
-static_assert(SC::internal::Enclosing_number<Least_number> && SC::internal::Enclosing_number<Fine_interval>);
-template class SC::internal::Basic_disk_curvature<Least_number>;
-template class SC::internal::Basic_disk_reach<Least_number>;
-template class SC::internal::Basic_nearest_sites<Least_number>;
+static_assert(SC::internal::Common::Enclosing_number<Least_number> && SC::internal::Common::Enclosing_number<Fine_interval>);
+template class SC::internal::Voronoi::Basic_disk_curvature<Least_number>;
+template class SC::internal::Voronoi::Basic_disk_reach<Least_number>;
+template class SC::internal::Voronoi::Basic_nearest_sites<Least_number>;
 
-SC::internal::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
+SC::internal::Common::Homogeneous_piece random_piece(std::mt19937& random, bool is_rational)
 {
   std::uniform_int_distribution<int> coordinate(-1000, 1000), weight(1, 9);
   std::array<std::vector<Exact_rational>, 3> c;
@@ -137,11 +137,11 @@ TEST(FineLevel, NumbersThatAreNotBoundedEncloseAll)
   for (const Fine_interval& x : {Fine_interval(nan), Fine_interval(nan, 1), Fine_interval(2, 1), Fine_interval(infinity), Fine_interval(1) / Fine_interval(-1, 1), Fine_interval(-infinity, infinity) - Fine_interval(-infinity, infinity)}) {
     EXPECT_EQ(x.inf(), -infinity);
     EXPECT_EQ(x.sup(), infinity);
-    EXPECT_EQ(SC::internal::certain_sign(x), 0);
+    EXPECT_EQ(SC::internal::Common::certain_sign(x), 0);
   }
   EXPECT_EQ((Fine_interval(0) * Fine_interval(-infinity, infinity)).sup(), 0);
   EXPECT_EQ(CGAL::square(Fine_interval(-2, 1)).inf(), 0);
-  EXPECT_EQ(SC::internal::certain_sign(Fine_interval(0x1p-1074)), 1);
+  EXPECT_EQ(SC::internal::Common::certain_sign(Fine_interval(0x1p-1074)), 1);
 }
 
 // In points, with 100 bits; over ranges, inside of the enclosures in doubles.
@@ -152,8 +152,8 @@ TEST(FineLevel, EnclosuresOfArcs)
   std::uniform_real_distribution<double> parameter(0, 1);
   for (int i = 0; i < 40; ++i) {
     const Exact_arc_2 exact(random_piece(random, i % 2 == 1));
-    const SC::internal::Site_arc_2 arc(exact);
-    const SC::internal::Basic_site_arc_2<Fine_interval> fine(exact);
+    const SC::internal::Common::Site_arc_2 arc(exact);
+    const SC::internal::Common::Basic_site_arc_2<Fine_interval> fine(exact);
     for (int j = 0; j < 10; ++j) {
       const double u = parameter(random), v = u + (1 - u) * parameter(random);
       const auto at = fine.jet({u, u});
@@ -163,7 +163,7 @@ TEST(FineLevel, EnclosuresOfArcs)
       for (std::size_t k = 0; k < 2; ++k) {
         EXPECT_TRUE(is_enclosed_within(at[0][k], point[k], 0x1p-100));
         EXPECT_TRUE(is_enclosed_within(at[1][k], derivative[k], 0x1p-100));
-        for (std::size_t order = 0; order <= SC::internal::jet_order; ++order) {
+        for (std::size_t order = 0; order <= SC::internal::Common::jet_order; ++order) {
           EXPECT_GE(over[order][k].inf(), in_doubles[order][k].inf());
           EXPECT_LE(over[order][k].sup(), in_doubles[order][k].sup());
         }
@@ -203,16 +203,16 @@ TEST(FineLevel, RoundedEllipse)
 // Stretches of fronts, of each fourth one, follow each other, up to ranges that hold an event, or are said to be unresolved.
 void expect_nothing_left_out(const Curves& curves)
 {
-  using SC::internal::Disk_event;
+  using SC::internal::Voronoi::Disk_event;
   constexpr double widest_event = 0x1p-12;
   const SC::Upward_rounding_guard guard;
-  const auto graph = SC::internal::site_graph(curves, std::vector<P>());
-  const SC::internal::Site_tree_2 tree(*graph);
-  const SC::internal::Cusps_2 cusps = SC::internal::Cusp_finder_2(*graph, tree)();
-  const SC::internal::Fine_level fine_level(*graph);
+  const auto graph = SC::internal::Voronoi::site_graph(curves, std::vector<P>());
+  const SC::internal::Voronoi::Site_tree_2 tree(*graph);
+  const SC::internal::Voronoi::Cusps_2 cusps = SC::internal::Voronoi::Cusp_finder_2(*graph, tree)();
+  const SC::internal::Voronoi::Fine_level fine_level(*graph);
   for (std::size_t f = 0; f < graph->fronts().size(); f += 4) {
     SCOPED_TRACE(f);
-    const auto stretches = SC::internal::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
+    const auto stretches = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
     ASSERT_FALSE(stretches.empty());
     EXPECT_TRUE(stretches.front().range.begin == 0 || stretches.front().events[0] == Disk_event::UNRESOLVED);
     EXPECT_TRUE(stretches.back().range.end == 1 || stretches.back().events[1] == Disk_event::UNRESOLVED);
@@ -239,13 +239,13 @@ TEST(FineLevel, SweepsLeaveNothingOut)
 }
 
 // Over random parts of the fronts of cubics, disks that touch a segment or a circle, from both sides: their curvature is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over parts hold those of points.
-template <SC::internal::Enclosing_number Interval>
+template <SC::internal::Common::Enclosing_number Interval>
 void expect_expansions_of_tangent_disks()
 {
   const Curves curves{SC::bezier_curve(std::vector{P(0, 0), P(8, 0)}), SC::circle_curve(P(4, 5), 2), SC::bezier_curve(std::vector{P(1, 1), P(3, 3), P(5, -1), P(7, 2)}), SC::bezier_curve(std::vector{P(3, 5), P(4, 6), P(5, 4), P(5, 5)})};
   const SC::Upward_rounding_guard guard;
-  const SC::internal::Basic_site_graph_2<Interval> graph(*SC::internal::site_graph(curves, std::vector<P>()));
-  const SC::internal::Basic_disk_curvature<Interval> curvature(graph);
+  const SC::internal::Voronoi::Basic_site_graph_2<Interval> graph(*SC::internal::Voronoi::site_graph(curves, std::vector<P>()));
+  const SC::internal::Voronoi::Basic_disk_curvature<Interval> curvature(graph);
   const auto meet = [](const Interval& x, const Interval& y) { return x.inf() <= y.sup() && y.inf() <= x.sup(); };
   std::mt19937 random(1);
   std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
@@ -253,18 +253,18 @@ void expect_expansions_of_tangent_disks()
     const std::size_t f = random() % graph.fronts().size(), arc = random() % graph.arcs().size();
     const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)), begin = std::uniform_real_distribution<double>(0, 1 - width)(random);
     const auto part_over = [&](const Range& range) { return curvature.part(f, range); };
-    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Disk_contact::Kind::ARC, arc}); };
+    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Voronoi::Disk_contact::Kind::ARC, arc}); };
     const Range range{begin, begin + width};
     const auto disks = disks_over(range);
     if (graph.fronts()[f].is_fan || graph.fronts()[f].object == arc || !disks)
       continue;
-    const Interval shift = SC::internal::interval_of<Interval>(range) - Interval(range.middle());
+    const Interval shift = SC::internal::Common::interval_of<Interval>(range) - Interval(range.middle());
     const double u = range.begin + std::uniform_real_distribution<double>(0, 1)(random) * width, step = 1e-4 * width;
     const auto there = disks_over({u, u}), before = disks_over({u - step, u - step}), behind = disks_over({u + step, u + step});
     ASSERT_TRUE(there && before && behind);
     EXPECT_TRUE(meet(there->value(), disks->value()) && meet(there->value(), disks->expansion().value(shift)));
     EXPECT_TRUE(meet(there->expansion().slope, disks->expansion().derivative(shift)) && meet(there->expansion().second_derivative, disks->expansion().second_derivative));
-    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Disk_contact::Kind::ARC, arc}, {0, 1}});
+    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Voronoi::Disk_contact::Kind::ARC, arc}, {0, 1}});
     EXPECT_TRUE(meet(greatest.curvature, there->value()));
     EXPECT_LT(there->value().sup() - there->value().inf(), 1e-9 * there->value().sup());
     const double quotient = (behind->value() - before->value()).sup() / (2 * step), rounding = (there->value().sup() - there->value().inf()) / step, size = std::abs(disks->expansion().slope.inf()) + std::abs(disks->expansion().slope.sup());
@@ -277,7 +277,7 @@ void expect_expansions_of_tangent_disks()
 
 TEST(FineLevel, DisksThatTouchLinesAndCircles)
 {
-  expect_expansions_of_tangent_disks<SC::internal::Interval>();
+  expect_expansions_of_tangent_disks<SC::internal::Common::Interval>();
   expect_expansions_of_tangent_disks<Fine_interval>();
 }
 
@@ -293,17 +293,17 @@ Curves thin_corner(double height)
 TEST(FineLevel, DisksInAThinCorner)
 {
   for (const double height : {1e-16, 3e-16, 1e-15}) {
-    const auto graph = SC::internal::site_graph(thin_corner(height), std::vector<P>());
+    const auto graph = SC::internal::Voronoi::site_graph(thin_corner(height), std::vector<P>());
     const SC::Upward_rounding_guard guard;
-    const SC::internal::Fine_level fine_level(*graph);
-    const SC::internal::Disk_curvature curvature(*graph);
-    const SC::internal::Stretch_disks disks(*graph, curvature, fine_level);
+    const SC::internal::Voronoi::Fine_level fine_level(*graph);
+    const SC::internal::Voronoi::Disk_curvature curvature(*graph);
+    const SC::internal::Voronoi::Stretch_disks disks(*graph, curvature, fine_level);
     const auto& fronts = graph->fronts();
     const auto left = static_cast<std::size_t>(std::find_if(fronts.begin(), fronts.end(), [](const auto& front) { return !front.is_fan && !front.is_reversed && front.object == 0; }) - fronts.begin());
     ASSERT_LT(left, fronts.size());
     const double u = 0x1p-50;
-    const SC::internal::Located_contact contact{{SC::internal::Disk_contact::Kind::ARC, 1}, {0, 4 * u}};
-    const SC::internal::Disk_stretch stretch{contact.contact, {0, 1}, {}, {{{0, 1}, contact}}};
+    const SC::internal::Voronoi::Located_contact contact{{SC::internal::Voronoi::Disk_contact::Kind::ARC, 1}, {0, 4 * u}};
+    const SC::internal::Voronoi::Disk_stretch stretch{contact.contact, {0, 1}, {}, {{{0, 1}, contact}}};
     ASSERT_FALSE(std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), contact).curvature.sup()));
 
     const Exact_pair x = graph->exact_point_at(fronts[left], u), y = graph->arcs()[1].at(u), n = graph->exact_normal(fronts[left], u), chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
@@ -350,26 +350,26 @@ TEST(FineLevel, RadiiThatAreNotKnown)
 }
 
 // A curvature with two equal maxima, which no bounds tell apart: 1 - 8 (v - a)^2 (v - b)^2.
-template <SC::internal::Enclosing_number Interval>
+template <SC::internal::Common::Enclosing_number Interval>
 void expect_bounds_of_two_maxima()
 {
   const Interval a = Interval(1) / Interval(3), b = Interval(2) / Interval(3);
-  const auto at = [&](const SC::internal::Range& range) {
-    const Interval v = SC::internal::interval_of<Interval>(range), p = (v - a) * (v - b), dp = Interval(2) * v - a - b;
-    SC::internal::Basic_curvature_bounds<Interval> k;
+  const auto at = [&](const SC::internal::Common::Range& range) {
+    const Interval v = SC::internal::Common::interval_of<Interval>(range), p = (v - a) * (v - b), dp = Interval(2) * v - a - b;
+    SC::internal::Voronoi::Basic_curvature_bounds<Interval> k;
     k.value = Interval(1) - Interval(8) * CGAL::square(v - a) * CGAL::square(v - b);
     k.dv = Interval(-16) * p * dp;
     k.dvv = Interval(-16) * (CGAL::square(dp) + Interval(2) * p);
     return k;
   };
-  const auto greatest = SC::internal::bounded_curvature<Interval>(at, {0, 1}, 0);
+  const auto greatest = SC::internal::Voronoi::bounded_curvature<Interval>(at, {0, 1}, 0);
   EXPECT_TRUE(greatest.is_attained);
   EXPECT_LE(greatest.curvature.inf(), 1);
   EXPECT_GE(greatest.curvature.sup(), 1);
   EXPECT_LT(greatest.curvature.sup() - greatest.curvature.inf(), 1e-12);
   EXPECT_LT(greatest.range.begin, 1. / 3);
   EXPECT_GT(greatest.range.end, 2. / 3);
-  const auto lower = SC::internal::bounded_curvature<Interval>(at, {0, 1}, 1.5);   // than what is asked for
+  const auto lower = SC::internal::Voronoi::bounded_curvature<Interval>(at, {0, 1}, 1.5);   // than what is asked for
   EXPECT_FALSE(lower.is_attained);
   EXPECT_LE(lower.curvature.inf(), 1);
   EXPECT_GE(lower.curvature.sup(), 1);
@@ -378,6 +378,6 @@ void expect_bounds_of_two_maxima()
 TEST(LargestCurvature, TwoMaxima)
 {
   const SC::Upward_rounding_guard guard;
-  expect_bounds_of_two_maxima<SC::internal::Interval>();
-  expect_bounds_of_two_maxima<SC::internal::Fine_interval>();
+  expect_bounds_of_two_maxima<SC::internal::Common::Interval>();
+  expect_bounds_of_two_maxima<SC::internal::Common::Fine_interval>();
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The level above doubles of trimmed offsets: curves that are nearly twice the distance apart, or nearly parallel at it. What differs is far below the rounding errors of doubles; the ends of arcs are known in closed form.
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

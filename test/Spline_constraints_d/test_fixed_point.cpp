@@ -4,7 +4,7 @@
 // Fixed-point numbers against exact ones: errors stay within their bounds.
 
 #include <CGAL/Spline_constraints_d/number/fixed_point.h>
-#include <CGAL/Spline_constraints_d/solver/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source.h>
 
 #include <gtest/gtest.h>
 

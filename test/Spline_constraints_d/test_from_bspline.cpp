@@ -3,10 +3,10 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/clipped_lines.h>
-#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/clipped_lines.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/from_bspline.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_surface.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

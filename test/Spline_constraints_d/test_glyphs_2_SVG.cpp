@@ -3,12 +3,12 @@
 
 // Planar operations on the outlines of real glyphs: areas in closed form, Euler's formula of medial axes, offsets against Minkowski sums with a disk, hulls between those of points that CGAL makes.
 #include <CGAL/Spline_constraints_d/IO/read_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_2.h>

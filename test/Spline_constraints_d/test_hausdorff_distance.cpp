@@ -3,9 +3,9 @@
 
 // Hausdorff distances with known answers, and against samples.
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/hausdorff_distance.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/hausdorff_distance.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 

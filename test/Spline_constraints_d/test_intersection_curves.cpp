@@ -5,7 +5,7 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_differentials_d.h>
 
 #include <gtest/gtest.h>
@@ -21,9 +21,9 @@
 
 using Intersection = SC::Surface_intersection<K>;
 
-static_assert(!SC::internal::Surface_pair<K::Plane_3, K::Plane_3>);
-static_assert(!SC::internal::Surface_pair<K::Plane_3, CGAL::Simple_cartesian<double>::Sphere_3>);
-static_assert(SC::internal::Surface_pair<K::Plane_3, SC::Implicit_surface_3>);
+static_assert(!SC::internal::Intersections::Surface_pair<K::Plane_3, K::Plane_3>);
+static_assert(!SC::internal::Intersections::Surface_pair<K::Plane_3, CGAL::Simple_cartesian<double>::Sphere_3>);
+static_assert(SC::internal::Intersections::Surface_pair<K::Plane_3, SC::Implicit_surface_3>);
 static_assert(std::same_as<decltype(SC::intersection_curves(std::declval<SC::Implicit_surface_3>(), std::declval<K::Plane_3>())), Intersection>);
 
 namespace {

@@ -4,7 +4,7 @@
 // Voronoi diagrams of curves with lines that touch several of them at once, in ends, in joints, and elsewhere: edges go to infinity there. And of arcs that begin with curvature zero.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 
 #include <gtest/gtest.h>
 

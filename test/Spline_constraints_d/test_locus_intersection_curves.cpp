@@ -5,12 +5,12 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Implicit_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/Offset_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/rational_offset.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
-#include <CGAL/Spline_constraints_d/operations/locus_intersection_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Implicit_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/rational_offset.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/locus_intersection_curves.h>
 
 #include <gtest/gtest.h>
 

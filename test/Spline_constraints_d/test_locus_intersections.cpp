@@ -3,11 +3,11 @@
 
 // Intersections with implicit curves and surfaces against exact answers.
 
-#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/to_implicit.h>
-#include <CGAL/Spline_constraints_d/operations/locus_intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_implicit.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
 
 #include <CGAL/Simple_cartesian.h>
 

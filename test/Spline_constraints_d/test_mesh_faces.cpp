@@ -3,7 +3,7 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/mesh_faces.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/mesh_faces.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

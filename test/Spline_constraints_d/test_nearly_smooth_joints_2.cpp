@@ -5,9 +5,9 @@
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/smooth_joints.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/smooth_joints.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <gtest/gtest.h>
 

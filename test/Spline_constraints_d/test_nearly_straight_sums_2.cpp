@@ -5,8 +5,8 @@
 #include "geometry_test_tools.h"
 #include "polygon_area.h"
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
 
 #include <gtest/gtest.h>
 

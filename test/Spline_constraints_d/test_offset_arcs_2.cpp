@@ -3,9 +3,9 @@
 
 // Offsets as polylines: circles, a parabola with two cusps on one side and none on the other, gaps at corners, and the exact distance of every point.
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/operations/offset_arcs_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/offset_arcs_2.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

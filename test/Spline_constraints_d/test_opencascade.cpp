@@ -3,9 +3,9 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/opencascade.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/opencascade.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 
 #include <gtest/gtest.h>
 

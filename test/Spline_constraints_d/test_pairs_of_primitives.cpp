@@ -5,7 +5,7 @@
 
 #include "pairs_of_primitives.h"
 
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 // Collections of curves: the answers of each pair alone, grids and chains with exact counts, splines of many pieces.
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/pairwise_intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/pairwise_intersections.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>

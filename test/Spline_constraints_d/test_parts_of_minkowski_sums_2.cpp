@@ -6,8 +6,8 @@
 #include "geometry_test_tools.h"
 
 #include <CGAL/Spline_constraints_d/IO/write_WKT.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
 
 #include <gtest/gtest.h>
 
@@ -131,11 +131,11 @@ TEST(parts_of_minkowski_sums_2, holes_that_are_not_decided)
     bool is_hole;
     std::size_t outer;
   };
-  const auto none = SC::internal::no_boundary;
+  const auto none = SC::internal::Regions::no_boundary;
   const CGAL::Uncertain<bool> yes(true), no(false), perhaps = CGAL::Uncertain<bool>::indeterminate();
   std::vector<Boundary> boundaries{{false, 0}, {true, none}, {false, 2}, {true, none}, {true, none}, {true, none}};
   const std::vector<std::vector<CGAL::Uncertain<bool>>> around{{no, yes, yes, yes, yes, no}, {no, no, no, no, no, no}, {no, no, no, yes, perhaps, no}};   // the island 2 in the hole 1 has the hole 3, and perhaps 4; 5 is in none
-  const std::vector<std::size_t> undecided = SC::internal::find_outer_boundaries(boundaries, [&](std::size_t b, std::size_t c) { return around[b][c]; });
+  const std::vector<std::size_t> undecided = SC::internal::Regions::find_outer_boundaries(boundaries, [&](std::size_t b, std::size_t c) { return around[b][c]; });
   EXPECT_EQ(undecided, (std::vector<std::size_t>{4, 5}));
   EXPECT_EQ(boundaries[1].outer, 0U);
   EXPECT_EQ(boundaries[3].outer, 2U);

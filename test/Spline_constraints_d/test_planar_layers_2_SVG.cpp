@@ -4,21 +4,21 @@
 // Results of all planar operations as layers: what they consist of, drawn and read back as XML, written as well-known text and read back by CGAL, and through the streams of CGAL.
 #include <CGAL/Spline_constraints_d/IO/write_SVG_voronoi_diagram_2.h>
 #include <CGAL/Spline_constraints_d/IO/write_planar_layers_2.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_distances_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
-#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
-#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>

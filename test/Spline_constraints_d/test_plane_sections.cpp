@@ -5,9 +5,9 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/intersection_curves.h>
-#include <CGAL/Spline_constraints_d/operations/plane_sections.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersection_curves.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/plane_sections.h>
 
 #include <gtest/gtest.h>
 

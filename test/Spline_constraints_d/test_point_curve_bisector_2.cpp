@@ -3,9 +3,9 @@
 
 // Bisectors of a point and a curve: exactly parabolas, ellipses and hyperbolas; exact distances and perpendiculars everywhere; poles.
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/operations/point_curve_bisector_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/loci/point_curve_bisector_2.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

@@ -5,8 +5,8 @@
 
 #include "random_systems.h"
 
-#include <CGAL/Spline_constraints_d/solver/Multiple_root.h>
-#include <CGAL/Spline_constraints_d/solver/internal/point_values.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/Multiple_root.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/point_values.h>
 
 #include <gtest/gtest.h>
 

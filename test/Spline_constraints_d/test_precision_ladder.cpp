@@ -5,7 +5,7 @@
 
 #include "solver_test_checks.h"
 
-#include <CGAL/Spline_constraints_d/solver/precision_ladder.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/precision_ladder.h>
 
 #include <cstring>
 #include <utility>

@@ -3,15 +3,15 @@
 
 // Offsets, evolutes and a locus of the test's own as operands of intersections, against exact answers.
 
-#include <CGAL/Spline_constraints_d/geometry/Evolute_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Implicit_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Offset_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Offset_surface_3.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/locus_intersections.h>
-#include <CGAL/Spline_constraints_d/operations/offset_features_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Evolute_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Implicit_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Offset_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/locus_intersections.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/offset_features_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

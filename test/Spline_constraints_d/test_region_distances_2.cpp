@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Distances of regions: in closed form, for nested, touching and overlapping ones; and beside dense samples of random ones.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_distances_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Planar operations after exact rotations, translations and scalings: the same numbers of vertices and edges with the same parameters, and lengths, areas and distances that are scaled.
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/convex_hulls_2.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_distances_2.h>
-#include <CGAL/Spline_constraints_d/operations/region_kernels_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
-#include <CGAL/Spline_constraints_d/operations/visible_parts_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/convex_hull/convex_hulls_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/distances/region_distances_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/region_kernels_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/visibility/visible_parts_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

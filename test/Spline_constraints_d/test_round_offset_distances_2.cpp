@@ -4,8 +4,8 @@
 // Offsets of drawings on a grid with cubics for round corners, at distances at which disks touch two walls, a wall and a corner, or both ends of a round corner exactly.
 #include "polygon_area.h"
 
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

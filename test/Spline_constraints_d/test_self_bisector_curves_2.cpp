@@ -5,11 +5,11 @@
 
 #include "pair_locus_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/operations/bitangents_2.h>
-#include <CGAL/Spline_constraints_d/operations/curve_features_2.h>
-#include <CGAL/Spline_constraints_d/operations/self_bisector_curves_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/bitangents_2.h>
+#include <CGAL/Spline_constraints_d/operations/curve_features/curve_features_2.h>
+#include <CGAL/Spline_constraints_d/operations/loci/self_bisector_curves_2.h>
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_3.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/intersections.h>
-#include <CGAL/Spline_constraints_d/operations/self_intersections.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/self_intersections.h>
 
 #include <CGAL/intersections.h>
 

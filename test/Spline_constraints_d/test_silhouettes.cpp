@@ -5,9 +5,9 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
-#include <CGAL/Spline_constraints_d/operations/silhouettes.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/silhouettes.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "polygon_area.h"
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_offsets_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_offsets_2.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "curve_test_checks.h"
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Isolated_zero_test.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Isolated_zero_test.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // Voronoi diagrams of what is small beside the rest: narrow gaps, small curves, points next to each other; and of disks that nearly fill a circle.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
 
 #include <gtest/gtest.h>
 

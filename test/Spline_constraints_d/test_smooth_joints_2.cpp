@@ -4,8 +4,8 @@
 // Voronoi diagrams where arcs join smoothly, and where disks touch four sites or more: medial axes in closed form, random smooth splines, and the signs of polynomials near a zero of theirs.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/internal/Blown_up_polynomial.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Blown_up_polynomial.h>
 
 #include <gtest/gtest.h>
 
@@ -217,22 +217,22 @@ TEST(CommonDisks, TwoJointsAndAWall)
   EXPECT_EQ(std::count_if(diagram.vertices().begin(), diagram.vertices().end(), is_common), 1);
 }
 
-SC::internal::Sign_pattern pattern(const SC::Power_polynomial& p, double a, double b)
+SC::internal::Voronoi::Sign_pattern pattern(const SC::Power_polynomial& p, double a, double b)
 {
   const SC::Upward_rounding_guard guard;
-  return SC::internal::Blown_up_polynomial::without_common_powers(p).pattern({0, a}, {0, b});
+  return SC::internal::Voronoi::Blown_up_polynomial::without_common_powers(p).pattern({0, a}, {0, b});
 }
 
 // Small ranges on both sides of a joint in which the curvature jumps, the one at the square of the distance of the other: the bounds hold those of points, and tell the second derivative equally well at all distances.
 TEST(SmoothJoints, CurvaturesBesideAJoint)
 {
   namespace internal = SC::internal;
-  const auto graph = internal::graph_of_crossing_curves<CGAL::Sequential_tag, K>(internal::site_curves(Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}), std::vector<P>());
-  const internal::Disk_curvature curvature(*graph);
+  const auto graph = internal::Voronoi::graph_of_crossing_curves<CGAL::Sequential_tag, K>(internal::Voronoi::site_curves(Curves{bezier({P(-3, 2), P(-2, 0), P(-1, 0), P(0, 0)}), bezier({P(0, 0), P(2, 0), P(3, 3), P(2, 5)})}), std::vector<P>());
+  const internal::Voronoi::Disk_curvature curvature(*graph);
   std::size_t compared = 0;
   std::mt19937 random(1);
   for (std::size_t f = 0; f < graph->fronts().size(); ++f) {
-    const internal::Front& front = graph->fronts()[f];
+    const internal::Voronoi::Front& front = graph->fronts()[f];
     if (front.is_fan)
       continue;
     const auto& next = graph->continuation({front.object, true});
@@ -241,7 +241,7 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
     for (const double b : {0x1p-6, 0x1p-12, 0x1p-18}) {
       const auto number = [&](double begin, double width) { return std::uniform_real_distribution<double>(begin, begin + width)(random); };
       const double a = b * b, width_u = a / 64, width_v = std::ldexp(b, -20);
-      const auto bounds = [&](const internal::Range& u, const internal::Range& v) { return curvature(curvature.part(f, u), next->end.arc, v, graph->arcs()[next->end.arc].jet(v)); };
+      const auto bounds = [&](const internal::Common::Range& u, const internal::Common::Range& v) { return curvature(curvature.part(f, u), next->end.arc, v, graph->arcs()[next->end.arc].jet(v)); };
       const CGAL::Protect_FPU_rounding<true> guard;
       const auto k = bounds({1 - a, 1 - a + width_u}, {b, b + width_v});
       EXPECT_TRUE(std::isfinite(k.du.sup() - k.du.inf()));
@@ -259,7 +259,7 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
 
 TEST(BlownUpPolynomials, SignsNearAZero)
 {
-  using SC::internal::Sign_pattern;
+  using SC::internal::Voronoi::Sign_pattern;
   const SC::Power_polynomial a = SC::Power_polynomial::variable(0), b = SC::Power_polynomial::variable(1);
   EXPECT_EQ(pattern(a + b, 0.1, 0.5), Sign_pattern::POSITIVE);
   EXPECT_EQ(pattern(-a * b - b * b * b, 0.1, 0.5), Sign_pattern::NEGATIVE);

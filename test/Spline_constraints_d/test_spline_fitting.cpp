@@ -3,7 +3,7 @@
 
 // Cubic splines near curves of solutions: their distance from the equations, ends in singular points, smoothness at the seam, images in space.
 
-#include <CGAL/Spline_constraints_d/geometry/spline_fitting.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/spline_fitting.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>

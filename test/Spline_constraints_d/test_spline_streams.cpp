@@ -3,9 +3,9 @@
 
 // Curves and surfaces written to a stream and read back: the same knots and control points, in every kernel.
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/spline_streams.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/spline_streams.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

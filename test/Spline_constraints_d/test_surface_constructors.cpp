@@ -3,11 +3,11 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/canal_surfaces.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/geometry/swept_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/canal_surfaces.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/swept_surfaces.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

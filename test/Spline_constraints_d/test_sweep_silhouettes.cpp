@@ -5,8 +5,8 @@
 
 #include "surface_test_names.h"
 
-#include <CGAL/Spline_constraints_d/geometry/surfaces_of_revolution.h>
-#include <CGAL/Spline_constraints_d/operations/sweep_silhouettes.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/surfaces_of_revolution.h>
+#include <CGAL/Spline_constraints_d/operations/surface_curves/sweep_silhouettes.h>
 
 #include <gtest/gtest.h>
 

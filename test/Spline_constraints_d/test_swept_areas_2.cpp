@@ -4,10 +4,10 @@
 // Swept areas: of squares and a disk in closed form; of a star along cubics, sums of points are inside, and what no point of the star passes is outside; of arcs along cubics, by random points and their share.
 #include "polygon_area.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/swept_areas_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/swept_areas_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -3,7 +3,7 @@
 
 // Arrangements of curves of solutions: faces by Euler's formula, nodes, nested circles at any precision of chords, isolated points, labels.
 
-#include <CGAL/Spline_constraints_d/operations/to_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solver_d.h>
 
 #include <CGAL/Simple_cartesian.h>

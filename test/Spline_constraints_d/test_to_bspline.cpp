@@ -3,9 +3,9 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_arcs.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_curve.h>
-#include <CGAL/Spline_constraints_d/geometry/to_bspline_surface.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/circular_arcs.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_curve.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/to_bspline_surface.h>
 
 #include <CGAL/Exact_circular_kernel_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -5,13 +5,13 @@
 
 #include "geometry_test_tools.h"
 
-#include <CGAL/Spline_constraints_d/geometry/bezier_traits_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/circle_segment_traits_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/minkowski_sums_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/to_general_polygons_2.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/bezier_traits_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/circle_segment_traits_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/minkowski_sum/minkowski_sums_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/to_general_polygons_2.h>
 
 #include <CGAL/Arr_Bezier_curve_traits_2.h>
 #include <CGAL/CORE_algebraic_number_traits.h>

@@ -4,9 +4,9 @@
 // Trimmed alpha-sectors: of points, segments and circles in closed form; of cubics, no point of either is nearer than the samples tell, and the chains go around what is nearer to one of them.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/closest_points.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_alpha_sectors_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_alpha_sectors_2.h>
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 // Trimmed bisectors: of points, segments and circles in closed form; of cubics, all samples are as far from both curves, and no point of them is nearer; a line across the bisector changes sides there.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/closest_points.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/distances/closest_points.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Voronoi diagrams as arrangements: vertices, edges and faces are those of the diagram, and labels lead to its edges.
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/trimmed_bisectors_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/trimmed_bisectors_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Arr_walk_along_line_point_location.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,10 +4,10 @@
 // The cells of Voronoi diagrams: of points as CGAL finds them, of curves with what bounds them, in order; every edge bounds two cells, and both sites are the nearest ones along it; the cells of all regions fill a box.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
-#include <CGAL/Spline_constraints_d/operations/medial_axis_2.h>
-#include <CGAL/Spline_constraints_d/operations/planar_regions_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_arrangement_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_arrangement_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 

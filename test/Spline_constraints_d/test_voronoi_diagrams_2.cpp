@@ -5,7 +5,7 @@
 // regions satisfy Euler's formula, and motions do not change them.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Interval_nt.h>
@@ -286,7 +286,7 @@ TEST(VoronoiDiagrams, FanOnTheLineOfASegment)
 
 TEST(VoronoiDiagrams, NumbersWithRoots)
 {
-  const auto number = [](int a, int b) { return SC::internal::Number_with_root{a, b}; };
+  const auto number = [](int a, int b) { return SC::internal::Voronoi::Number_with_root{a, b}; };
   EXPECT_TRUE(number(1, 4) == number(3, 0));
   EXPECT_TRUE(number(3, 0) == number(1, 4));
   EXPECT_TRUE(number(-2, 9) == number(0, 1));

@@ -4,7 +4,7 @@
 // Edges between a point and a curve as exact rational curves: all of their points have exactly the same distance from both, and they end where the edges end. Points know the curve that they are on.
 #include "voronoi_checks.h"
 
-#include <CGAL/Spline_constraints_d/operations/voronoi_edge_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_edge_curves_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

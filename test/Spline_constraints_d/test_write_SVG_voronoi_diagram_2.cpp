@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG_voronoi_diagram_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -5,8 +5,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_TEST_VORONOI_CHECKS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_TEST_VORONOI_CHECKS_H
 
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi_diagrams_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/voronoi_diagrams_2.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_SPLINE_FILE_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_SPLINE_FILE_H
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_3.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 
 #include <string>
 #include <vector>

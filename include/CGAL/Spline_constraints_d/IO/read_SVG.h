@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/internal/SVG_reader.h>
 #include <CGAL/Spline_constraints_d/IO/internal/Text_source.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 
 #include <concepts>
 #include <istream>

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_SVG_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/internal/bezier_chords.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/internal/bezier_chords.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 
 #include <CGAL/Bbox_2.h>

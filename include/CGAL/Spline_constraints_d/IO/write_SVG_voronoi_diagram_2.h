@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_SVG_VORONOI_DIAGRAM_2_H
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/operations/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
 
 #include <array>
 #include <cstddef>

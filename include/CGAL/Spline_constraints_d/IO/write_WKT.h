@@ -5,10 +5,10 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_WKT_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
-#include <CGAL/Spline_constraints_d/geometry/from_bspline.h>
+#include <CGAL/Spline_constraints_d/geometry/conversions/from_bspline.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/Planar_region_2.h>
-#include <CGAL/Spline_constraints_d/operations/internal/parts_of_boundaries.h>
+#include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
@@ -89,7 +89,7 @@ WKT_ring WKT_ring_of(const CGAL::Polygon_2<Kernel, Container>& polygon)
 }
 
 // Points between the ends of a piece: of an arc of a circle one, or three if it is the whole circle.
-inline std::vector<std::string> inner_points(const Boundary_piece& piece, bool is_circular, double error)
+inline std::vector<std::string> inner_points(const Regions::Boundary_piece& piece, bool is_circular, double error)
 {
   std::vector<std::string> result;
   if (is_circular)
@@ -103,12 +103,12 @@ inline std::vector<std::string> inner_points(const Boundary_piece& piece, bool i
   return result;
 }
 
-inline WKT_ring WKT_ring_of(const Boundary_loop_2& loop, double error)
+inline WKT_ring WKT_ring_of(const Regions::Boundary_loop_2& loop, double error)
 {
   WKT_ring result;
   std::string end = WKT_point(loop.source()[0], loop.source()[1]);
-  for (const Boundary_piece& piece : loop.pieces()) {
-    const bool is_circular = to_circle(Boundary_loop_2({piece}).curve()).has_value();
+  for (const Regions::Boundary_piece& piece : loop.pieces()) {
+    const bool is_circular = to_circle(Regions::Boundary_loop_2({piece}).curve()).has_value();
     if (result.empty() || result.back().is_circular != is_circular)
       result.push_back({is_circular, {end}});
     std::vector<std::string>& points = result.back().points;
@@ -160,7 +160,7 @@ void write_WKT(std::ostream& out, const Planar_region_2<Kernel>& region, double 
 {
   internal::check_error(error, "write_WKT");
   std::vector<internal::WKT_part> parts;
-  for (const std::vector<std::size_t>& boundaries : internal::parts_of_boundaries(region.boundaries())) {
+  for (const std::vector<std::size_t>& boundaries : internal::Regions::parts_of_boundaries(region.boundaries())) {
     internal::WKT_part& part = parts.emplace_back();
     for (const std::size_t b : boundaries)
       part.push_back(internal::WKT_ring_of(region.loops()[b], error));

@@ -5,9 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_WRITE_G2_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/decimal_text.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_3.h>
-#include <CGAL/Spline_constraints_d/geometry/Bspline_surface_3.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_3.h>
+#include <CGAL/Spline_constraints_d/geometry/surfaces/Bspline_surface_3.h>
 
 #include <cstddef>
 #include <ostream>

@@ -12,7 +12,7 @@
 #include <CGAL/Spline_constraints_d/number/concepts.h>
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
 
 #include <CGAL/Interval_nt.h>
 

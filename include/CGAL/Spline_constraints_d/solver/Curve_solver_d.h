@@ -5,13 +5,13 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_SOLVER_D_H
 
 #include <CGAL/Spline_constraints_d/internal/parallel_for.h>
-#include <CGAL/Spline_constraints_d/solver/Cell_pyramid.h>
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Curve_chains.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Curve_subdivision.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Curves_on_faces.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_chains.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curve_subdivision.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Curves_on_faces.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/Cell_pyramid.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
 #include <CGAL/Spline_constraints_d/solver/Local_box.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Row_elimination.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Row_elimination.h>
 
 #include <boost/config.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/function/affine_kernels.h>
 #include <CGAL/Spline_constraints_d/internal/allocate_parts.h>
-#include <CGAL/Spline_constraints_d/solver/System_layout.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/System_layout.h>
 
 #include <algorithm>
 #include <cmath>
@@ -468,6 +468,6 @@ void Node_view::visit_layers(const internal::Block& block, const Visitor& visit)
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#include <CGAL/Spline_constraints_d/solver/internal/Node_view_impl.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Node_view_impl.h>
 
 #endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_NODE_VIEW_H

@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solver_options.h>
-#include <CGAL/Spline_constraints_d/solver/all_solutions.h>
+#include <CGAL/Spline_constraints_d/solver/internal/subdivision/all_solutions.h>
 #include <CGAL/Spline_constraints_d/solver/solver_traits.h>
 
 #include <array>

@@ -5,11 +5,11 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_CURVE_POLYLINE_H
 
 #include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/Exact_source.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
-#include <CGAL/Spline_constraints_d/solver/gauss_jordan.h>
-#include <CGAL/Spline_constraints_d/solver/internal/plane_restriction.h>
-#include <CGAL/Spline_constraints_d/solver/internal/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/curves/Simple_factors.h>
+#include <CGAL/Spline_constraints_d/solver/internal/exact/gauss_jordan.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Exact_source.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/plane_restriction.h>
 
 #include <algorithm>
 #include <cmath>

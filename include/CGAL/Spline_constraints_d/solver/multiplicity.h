@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_MULTIPLICITY_H
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
-#include <CGAL/Spline_constraints_d/solver/Root_position.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/Root_position.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_REDUCTIONS_H
 
-#include <CGAL/Spline_constraints_d/solver/Dense_preconditioner.h>
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/Dense_preconditioner.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/solver/Linear_enclosure.h>
 #include <CGAL/Spline_constraints_d/solver/Node_view.h>
-#include <CGAL/Spline_constraints_d/solver/matrix_inverse.h>
+#include <CGAL/Spline_constraints_d/solver/internal/node/matrix_inverse.h>
 
 #include <array>
 #include <cmath>

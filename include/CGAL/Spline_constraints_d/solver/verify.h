@@ -6,8 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/solver/Constraint_system_d.h>
 #include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
-#include <CGAL/Spline_constraints_d/solver/internal/verification.h>
-#include <CGAL/Spline_constraints_d/solver/internal/univariate_verification.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/univariate_verification.h>
+#include <CGAL/Spline_constraints_d/solver/internal/verification/verification.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_BEZIER_PATH_H
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_BEZIER_PATH_H
 
-#include <CGAL/Spline_constraints_d/geometry/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/geometry/polygonal_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/polygonal_curves.h>
 
 #include <algorithm>
 #include <cstddef>

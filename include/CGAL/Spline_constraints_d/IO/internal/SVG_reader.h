@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_SVG_READER_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/SVG_path_parser.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 
 #include <pugixml.hpp>
 

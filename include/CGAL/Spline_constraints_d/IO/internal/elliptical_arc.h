@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_IO_INTERNAL_ELLIPTICAL_ARC_H
 
 #include <CGAL/Spline_constraints_d/IO/internal/Bezier_path.h>
-#include <CGAL/Spline_constraints_d/geometry/circular_curves.h>
+#include <CGAL/Spline_constraints_d/geometry/curves/circular_curves.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/number/Big_integer.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>

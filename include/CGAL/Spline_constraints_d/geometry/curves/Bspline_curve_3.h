@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_BSPLINE_CURVE_3_H
+#define CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_BSPLINE_CURVE_3_H
+
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve.h>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDGeometry
+
+A B-spline curve in space; see `Bspline_curve`.
+*/
+template <SplineKernel Kernel>
+using Bspline_curve_3 = Bspline_curve<Kernel, 3>;
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_GEOMETRY_CURVES_BSPLINE_CURVE_3_H

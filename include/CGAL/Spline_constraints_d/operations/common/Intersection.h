@@ -1,0 +1,164 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_H
+
+#include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/Intersection_kind.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Patch_pair.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/internal/certification/algebraic_position.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+namespace internal {
+namespace Common {
+
+// What is known of a common point, or of several, with the parameters of both operands one after the other.
+struct Common_point
+{
+  Intersection_kind kind;
+  Parameter_box parameters;
+  std::vector<bool> is_at_end;
+  std::optional<Solution_d<double>> solution;
+  bool is_repeated;   // at the upper end of a closed operand, or of an open part of one: another parameter stands for the same point
+};
+
+} // namespace Common
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+An intersection of two operands, each a point, a curve or a surface: parameters on both, within ranges that are proved to hold those of the common point, or of the common piece.
+
+Operands are numbered 0 and 1, their parameters, the axes, 0 and 1 on a surface and 0 on a curve; a point has none.
+
+\tparam Kernel a `SplineKernel`.
+\tparam d the dimension of the space, 2 or 3.
+*/
+template <SplineKernel Kernel, int d>
+class Intersection
+{
+public:
+  //! a closed range of a parameter.
+  using Range = std::pair<Exact_rational, Exact_rational>;
+  //! the points of the kernel in dimension `d`.
+  using Point = typename internal::Ambient_space<Kernel, d>::Point;
+
+private:
+  internal::Common::Common_point m_common;
+  std::size_t m_split;   // parameters of the first operand
+  Point m_point;
+
+public:
+#ifndef DOXYGEN_RUNNING
+  Intersection(internal::Common::Common_point common, const internal::Common::Patch_pair<d>& operands) : m_common(std::move(common)), m_split(operands.first_parameter(1))
+  {
+    internal::Common::Parameter_box ranges = internal::Common::clipped(internal::Common::with_short_ends(m_common.parameters), operands.domain());
+    ranges.resize(m_split);
+    m_point = internal::kernel_object<Kernel, Point>(operands[0](internal::middle_of(ranges)));
+  }
+#endif
+
+  //! what is proved.
+  Intersection_kind kind() const { return m_common.kind; }
+
+  //! the parameters of an operand along an axis: those of a common point lie in the range, those of an overlap too. At a pole of a surface, where one parameter is free, its range is the whole domain.
+  const Range& parameter_range(std::size_t operand, std::size_t axis = 0) const { return m_common.parameters[index(operand, axis)]; }
+
+  //! the middle of the range, rounded to double.
+  double parameter(std::size_t operand, std::size_t axis = 0) const { return to_nearest_double(internal::Common::middle_of(parameter_range(operand, axis))); }
+
+  //! the point of the first operand in the middle of its ranges; where these are narrower than 256 binary digits tell, next to it. Where they are one number each, as for a point, and the kernel is exact, it is the common point itself.
+  const Point& point() const { return m_point; }
+
+  //! whether the common point is at an end of the range of a parameter, decided exactly: an end of a curve, an edge or pole of a surface, or a seam.
+  bool is_at_end(std::size_t operand, std::size_t axis) const { return m_common.is_at_end[index(operand, axis)]; }
+
+  //! whether it is at an end of any parameter of an operand.
+  bool is_at_end(std::size_t operand) const
+  {
+    const auto split = m_common.is_at_end.begin() + static_cast<std::ptrdiff_t>(m_split);
+    return operand == 0 ? std::find(m_common.is_at_end.begin(), split, true) != split : std::find(split, m_common.is_at_end.end(), true) != m_common.is_at_end.end();
+  }
+
+  //! how often the common point counts; 1 when the operands cross, 0 when not known, as at a pole.
+  int multiplicity() const { return m_common.solution ? m_common.solution->multiplicity() : m_common.kind == Intersection_kind::TRANSVERSAL ? 1 : 0; }
+
+  //! the answer of the solver, with its proof. Its unknowns are all parameters, those of the first operand first, or those of one operand, if the points of the other one are affine in its parameters:
+  //! a point, a segment, a parallelogram. None without unknowns, at poles that were found otherwise, and where fewer unknowns decided what the solver did not: at breaks of planar curves, at crossings at very small angles, at contacts on common edges of surfaces or of ruled ones.
+  const std::optional<Solution_d<double>>& solution() const { return m_common.solution; }
+
+private:
+  std::size_t index(std::size_t operand, std::size_t axis) const { return operand == 0 ? axis : m_split + axis; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The answers of an operation that finds common points, and whether they are all.
+
+\tparam Answer `Intersection` or `Locus_intersection`.
+*/
+template <class Answer>
+class Intersection_set
+{
+  std::vector<Answer> m_answers;
+  Summary m_summary;
+
+public:
+  using const_iterator = typename std::vector<Answer>::const_iterator;
+
+#ifndef DOXYGEN_RUNNING
+  Intersection_set(std::vector<Answer> answers, const Summary& summary) : m_answers(std::move(answers)), m_summary(summary)
+  {
+    m_summary.is_complete = count(Intersection_kind::UNDECIDED) == 0;
+  }
+#endif
+
+  //! @{ the answers.
+  const_iterator begin() const { return m_answers.begin(); }
+  const_iterator end() const { return m_answers.end(); }
+  std::size_t size() const { return m_answers.size(); }
+  bool empty() const { return m_answers.empty(); }
+  const Answer& operator[](std::size_t i) const { return m_answers[i]; }
+  //! @}
+
+  //! number of answers of a kind.
+  std::size_t count(Intersection_kind kind) const
+  {
+    return static_cast<std::size_t>(std::count_if(begin(), end(), [=](const Answer& answer) { return answer.kind() == kind; }));
+  }
+
+  //! whether there are no others, by proof, and none is undecided.
+  bool is_complete() const { return m_summary.is_complete; }
+
+  //! the work of the solver.
+  const Summary& summary() const { return m_summary; }
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The intersections of two operands, ordered by the parameters of the first one, or where these are the same, by those of the second: on a ray, from its source on.
+*/
+template <SplineKernel Kernel, int d>
+using Intersections = Intersection_set<Intersection<Kernel, d>>;
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_H

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_KIND_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_KIND_H
+
+#include <ostream>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+What is known of an intersection of two operands.
+*/
+enum class Intersection_kind {
+  TRANSVERSAL,   ///< one common point that counts once, where no parameter is at an end: curves cross, a curve passes through a surface, a point lies on a curve or surface
+  TANGENT,       ///< a common point that counts several times: the operands touch, or one of them is singular there; or one on a knot that is not proved to count once
+  END_POINT,     ///< one common point that counts once, at an end of a curve, on an edge of a surface, on the seam of a closed operand, or at the pole of a surface
+  OVERLAP,       ///< a piece of one operand lies on the other
+  UNDECIDED      ///< nothing is proved: there may be common points with these parameters
+};
+
+//! \ingroup PkgSplineConstraintsDOperations
+//! writes `transversal`, `tangent`, `end point`, `overlap` or `undecided`.
+inline std::ostream& operator<<(std::ostream& out, Intersection_kind kind)
+{
+  static const char* const names[] = {"transversal", "tangent", "end point", "overlap", "undecided"};
+  return out << names[static_cast<int>(kind)];
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERSECTION_KIND_H

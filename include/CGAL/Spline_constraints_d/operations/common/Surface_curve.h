@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_SURFACE_CURVE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_SURFACE_CURVE_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A line in the domain of a surface, on which one of the parameters is constant.
+*/
+struct Constant_parameter
+{
+  int axis;               ///< that of the parameter
+  Exact_rational value;   ///< its value
+
+  friend bool operator==(const Constant_parameter&, const Constant_parameter&) = default;
+};
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A connected curve on a surface.
+*/
+struct Surface_curve
+{
+  std::size_t part;                          ///< the index of the part of the domain that it lies in
+  std::vector<Intersection_arc> arcs;        ///< between seams and poles; indices are those of curves in `Surface_curves_3::solutions(part)`
+  bool is_closed;                            ///< whether the last arc ends where the first one begins
+  std::optional<Constant_parameter> line{};  ///< of a curve along a break, a seam or an edge of the surface, which has no arcs and is not joined with other curves
+  int multiplicity = 1;                      ///< how often its points count in the equations, see `Curve_piece::multiplicity`; 0 if this is not known
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_SURFACE_CURVE_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DISTANCE_BOUNDS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DISTANCE_BOUNDS_H
+
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Distances {
+
+// The root of a number that is not negative, nearly, also if the number is too great or too small for a double.
+inline double near_root(const Exact_rational& x)
+{
+  const Exact_rational most(to_rational(0x1p1000)), least(to_rational(0x1p-1000));
+  if (x > most)
+    return 0x1p500 * near_root(Exact_rational(x * least));
+  if (x > 0 && x < least)
+    return 0x1p-500 * near_root(Exact_rational(x * most));
+  return std::sqrt(to_nearest_double(x));
+}
+
+// The closest doubles below and above the roots of the ends of a range; \pre they are not negative.
+inline std::pair<double, double> root_range(const std::pair<Exact_rational, Exact_rational>& squares)
+{
+  const auto square = [](double x) { return Exact_rational(to_rational(x) * to_rational(x)); };
+  double lower = near_root(squares.first), upper = near_root(squares.second);
+  while (std::isinf(lower) || (lower > 0 && square(lower) > squares.first))
+    lower = std::nextafter(lower, 0.0);
+  while (!std::isinf(upper) && square(upper) < squares.second)
+    upper = std::nextafter(upper, std::numeric_limits<double>::infinity());
+  return {lower, upper};
+}
+
+} // namespace Distances
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_DISTANCES_INTERNAL_DISTANCE_BOUNDS_H

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_PLANAR_REGION_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_PLANAR_REGION_2_H
+
+#include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/Boundary_loop_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/Simple_rings_2.h>
+#include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
+
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+A bounded region of the plane, of one or more parts, with or without holes, whose boundaries are made of B-spline curves.
+
+The curves may be given in any order and direction: each is a boundary by itself, if it is closed, or goes on in another one, with exactly the same end point. They must not cross; that is proved. A point belongs to the region if an odd number of boundaries go around it.
+Boundaries are simple, and in the direction that has the region on the left: outer ones counterclockwise, those of holes clockwise.
+
+Curves may touch themselves and each other, in points with rational parameters. There they are cut: two lobes that touch in a point have two boundaries, and so have a region and a hole that touches its outer boundary. Pieces of curves that are there twice, as where an outline leads to a hole and back on the same way, have the region on both sides, or on none. They are no part of the boundaries. So are parts of pieces, as where one room has a part of a wall in common with another one, if they begin and end at rational parameters, and both curves run through them at proportional speeds.
+
+\tparam Kernel_ a `SplineKernel`.
+*/
+template <SplineKernel Kernel_>
+class Planar_region_2
+{
+public:
+  using Kernel = Kernel_;
+  using Point = typename Kernel::Point_2;
+  using Curve = Bspline_curve_2<Kernel>;
+
+  //! a curve of a boundary, or a part of one.
+  struct Arc
+  {
+    std::size_t curve;                          ///< its index
+    bool is_reversed;                           ///< whether the boundary runs along it backwards
+    std::array<Exact_rational, 2> parameters;   ///< of the curve, where the part begins and ends, in increasing order: its domain, if it is not cut
+  };
+
+  //! a closed boundary.
+  struct Boundary
+  {
+    std::vector<Arc> arcs;   ///< in order; each begins in the point where the one before ends
+    bool is_hole;            ///< whether it is that of a hole, and clockwise
+    std::size_t outer;       ///< the index of the outer boundary of the same part of the region
+  };
+
+private:
+  std::vector<Curve> m_curves;
+  std::vector<Boundary> m_boundaries;
+  std::vector<internal::Regions::Boundary_loop_2> m_loops;
+  std::vector<std::vector<Arc>> m_arcs;   // of each curve, in its direction
+  bool m_has_touching_boundaries;
+
+public:
+  /*!
+  the region between these curves.
+  \param curves the curves.
+  \param options those of the solver that looks for common points.
+  \throws Invalid_input when there is no curve; a piece of a curve is a point; an odd number of ends of curves are the same point, as where no other one goes on; a curve crosses itself or another one, or is there twice; parts of pieces coincide other than as above; or it is not proved that none of this is so: where curves meet in a point that is not rational, or turn back in a cusp. The
+  message names the curves and the parameters.
+  */
+  template <std::ranges::input_range Range>
+    requires std::convertible_to<std::ranges::range_value_t<Range>, Bspline_curve_2<Kernel_>>
+  explicit Planar_region_2(const Range& curves, const Solver_options& options = {}) : m_curves(std::ranges::begin(curves), std::ranges::end(curves))
+  {
+    if (m_curves.empty())
+      throw Invalid_input("Planar_region_2: there are no curves");
+    std::vector<std::vector<internal::Regions::Boundary_piece>> pieces;
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+      pieces.push_back(internal::Regions::boundary_pieces(m_curves[i], i));
+      for (const internal::Regions::Boundary_piece& piece : pieces.back())
+        internal::Common::check_is_no_point(piece.coordinates, {piece.parameters[0], piece.parameters[1]}, i, "Planar_region_2: ");
+    }
+    make_boundaries(internal::Regions::Simple_rings_2(std::move(pieces), options));
+    internal::Regions::find_outer_boundaries(m_boundaries, [&](std::size_t i, std::size_t k) { return m_loops[i].winding_number(m_loops[k].inner_point()) != 0; });
+  }
+
+  //! the curves, as they were given.
+  const std::vector<Curve>& curves() const { return m_curves; }
+
+  //! the boundaries.
+  const std::vector<Boundary>& boundaries() const { return m_boundaries; }
+
+  //! whether boundaries have vertices in common.
+  bool has_touching_boundaries() const { return m_has_touching_boundaries; }
+
+  //! the number of boundaries of holes.
+  std::size_t number_of_holes() const { return std::count_if(m_boundaries.begin(), m_boundaries.end(), [](const Boundary& boundary) { return boundary.is_hole; }); }
+
+  //! where a point is; decided exactly.
+  CGAL::Bounded_side bounded_side(const Point& point) const
+  {
+    return bounded_side(internal::Exact_pair{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())});
+  }
+
+#ifndef DOXYGEN_RUNNING
+  CGAL::Bounded_side bounded_side(const internal::Exact_pair& p) const
+  {
+    constexpr int halvings = 24;
+    int turns = 0;
+    for (const internal::Regions::Boundary_loop_2& loop : m_loops) {
+      if (loop.may_contain(p, halvings) && !intersections(internal::Exact_kernel::Point_2(p[0], p[1]), loop.curve()).empty())
+        return CGAL::ON_BOUNDARY;
+      turns += loop.winding_number(p);
+    }
+    return turns > 0 ? CGAL::ON_BOUNDED_SIDE : CGAL::ON_UNBOUNDED_SIDE;
+  }
+#endif
+
+  /*!
+  bounds of the area; the same number twice where all curves are polynomial.
+  \param error the bounds differ by twice this number at most; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::pair<Exact_rational, Exact_rational> area(double error = 1e-12) const
+  {
+    internal::check_error(error, "Planar_region_2");
+    const Exact_rational part(to_rational(error) / Exact_rational(static_cast<int>(m_loops.size())));
+    internal::Common::Rational_interval result(Exact_rational(0), Exact_rational(0));
+    for (const internal::Regions::Boundary_loop_2& loop : m_loops)
+      result = result + loop.signed_area(part);
+    return {result.lower, result.upper};
+  }
+
+  /*!
+  the region as polygons, one for each part, with chords of the curves as edges: if the error is small enough for these not to meet elsewhere, the polygons are simple. Ends of polynomial pieces are corners of the polygons.
+  \param error the distance of curves from their chords, at most, up to rounding of the corners; positive.
+  \throws Invalid_input when the error is not positive.
+  */
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons_with_holes(double error) const
+  {
+    internal::check_error(error, "Planar_region_2");
+    return internal::Regions::polygons_of_parts<CGAL::Polygon_with_holes_2<Kernel>>(m_boundaries, [&](std::size_t b) {
+      CGAL::Polygon_2<Kernel> polygon;
+      for (const internal::Regions::Boundary_piece& piece : m_loops[b].pieces()) {
+        polygon.push_back(internal::kernel_object<Kernel, Point>(piece.at(0)));
+        for (const std::array<double, 2>& corner : piece.inner_corners(error))
+          polygon.push_back(internal::kernel_object<Kernel, Point>(corner));
+      }
+      return polygon;
+    });
+  }
+
+#ifndef DOXYGEN_RUNNING
+  // The boundaries in pieces, and the arcs of each curve in its direction, for the package.
+  const std::vector<internal::Regions::Boundary_loop_2>& loops() const { return m_loops; }
+  const std::vector<std::vector<Arc>>& arcs_of_curves() const { return m_arcs; }
+#endif
+
+private:
+  void make_boundaries(const internal::Regions::Simple_rings_2& rings)
+  {
+    m_has_touching_boundaries = rings.has_rings_that_touch();
+    m_arcs.resize(m_curves.size());
+    std::vector<Arc> arcs;
+    for (std::size_t s = 0; s < rings.strands().size(); ++s) {
+      const internal::Regions::Boundary_piece &first = rings.strands()[s].front(), &last = rings.strands()[s].back();
+      arcs.push_back({first.curve, !rings.has_region_on_left({s, false}), {first.parameters[0], last.parameters[1]}});
+      m_arcs[first.curve].push_back(arcs.back());
+    }
+    for (const auto& ring : rings.rings()) {
+      internal::Regions::Boundary_loop_2 loop = rings.loop(ring);
+      Boundary boundary{{}, false, internal::Regions::no_boundary};
+      for (const Intersection_arc& strand : ring)
+        boundary.arcs.push_back(arcs[strand.index]);
+      if (!rings.has_region_on_left(ring.front())) {
+        std::reverse(boundary.arcs.begin(), boundary.arcs.end());
+        loop.reverse();
+      }
+      boundary.is_hole = !loop.is_counterclockwise();
+      if (!boundary.is_hole)
+        boundary.outer = m_boundaries.size();
+      m_boundaries.push_back(std::move(boundary));
+      m_loops.push_back(std::move(loop));
+    }
+  }
+
+};
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_PLANAR_REGION_2_H

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_TO_ARRANGEMENT_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_TO_ARRANGEMENT_2_H
+
+#include <CGAL/Spline_constraints_d/number/Invalid_input.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/solver/Curve_solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/curve_polyline.h>
+
+#include <CGAL/Arr_consolidated_curve_data_traits_2.h>
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+What an edge of an arrangement belongs to: chord `chord` of polyline `curve`, from its point `chord` to the next one. The parameters there are those of the samples that the polyline was made of.
+*/
+struct Chord_label
+{
+  std::size_t curve;   ///< index of the polyline
+  std::size_t chord;   ///< index of its point where the chord begins
+
+  bool operator==(const Chord_label&) const = default;
+};
+
+namespace internal {
+namespace Regions {
+
+using Chord_segment_traits_2 = CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
+using Chord_traits_2 = CGAL::Arr_consolidated_curve_data_traits_2<Chord_segment_traits_2, Chord_label>;
+
+} // namespace Regions
+} // namespace internal
+
+//! \ingroup PkgSplineConstraintsDOperations
+//! an exact arrangement of chords; `edge->curve().data()` lists the labels of an edge, several where chords overlap.
+using Polyline_arrangement_2 = CGAL::Arrangement_2<internal::Regions::Chord_traits_2>;
+
+namespace internal {
+namespace Regions {
+
+template <class Arrangement, class Point>
+Arrangement polyline_arrangement(const std::vector<std::vector<Point>>& polylines)
+{
+  using Vertex = Chord_traits_2::Point_2;
+  std::vector<Chord_traits_2::Curve_2> chords;
+  std::vector<Vertex> single;
+  for (std::size_t c = 0; c < polylines.size(); ++c) {
+    std::vector<Vertex> points;
+    for (const Point& p : polylines[c]) {
+      const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+      if (!(std::abs(x) <= most_magnitude && std::abs(y) <= most_magnitude))   // sweeps fail with much greater ones
+        throw Invalid_input("to_arrangement: a coordinate of polyline " + std::to_string(c) + " is not between -2^250 and 2^250");
+      points.emplace_back(x, y);
+    }
+    bool is_single = true;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      if (points[i] != points[i + 1]) {
+        chords.emplace_back(Chord_segment_traits_2::Curve_2(points[i], points[i + 1]), Chord_label{c, i});
+        is_single = false;
+      }
+    if (is_single && !points.empty())
+      single.push_back(points.front());
+  }
+  Arrangement result;
+  CGAL::insert(result, chords.begin(), chords.end());
+  for (const Vertex& point : single)
+    CGAL::insert_point(result, point);
+  return result;
+}
+
+} // namespace Regions
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+the arrangement of polylines in the plane: of bisectors, envelopes, contour lines, and others that operations return.
+
+The arrangement of the polylines is exact. That of the curves it resembles as far as the polylines do: curves that pass each other more closely than chords pass the curves may cross there, and two that touch need not.
+
+\param polylines points in order; a closed curve begins and ends with the same one. Equal points, as in common ends, become one vertex. A polyline of one point becomes an isolated vertex, if no other one passes there.
+\tparam Point `CGAL::Point_2` of any kernel whose coordinates convert to double; they are rounded to doubles.
+\throws Invalid_input when the absolute value of a coordinate is not \f$2^{250}\f$ at most (the message names the polyline).
+
+Complexity: that of a sweep, \f$O((n+k) \log n)\f$ for \f$n\f$ chords with \f$k\f$ crossings.
+*/
+template <class Point>
+Polyline_arrangement_2 to_arrangement(const std::vector<std::vector<Point>>& polylines)
+{
+  return internal::Regions::polyline_arrangement<Polyline_arrangement_2>(polylines);
+}
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+The curves of solutions of an equation in two unknowns as an arrangement of chords.
+*/
+struct Solution_arrangement_2
+{
+  //! the arrangement. Labels are indices of curves of the set, and of chords of the polylines.
+  Polyline_arrangement_2 arrangement;
+
+  //! the polylines, in the order of the curves; behind them isolated solutions, as single points.
+  std::vector<std::vector<CGAL::Exact_predicates_exact_constructions_kernel::Point_2>> polylines;
+
+  //! whether chords meet in their ends only: if not, points so close to each other have been rounded that the faces may be wrong.
+  bool is_crossing_free;
+};
+
+namespace internal {
+namespace Regions {
+
+// Whether chords meet in common end points only: then the sweep has made no other vertices, and has split no chord.
+template <class Arrangement, class Point>
+bool is_crossing_free(const Arrangement& arrangement, const std::vector<std::vector<Point>>& polylines)
+{
+  std::set<Point> points;
+  std::size_t chords = 0;
+  for (const auto& polyline : polylines) {
+    points.insert(polyline.begin(), polyline.end());
+    for (std::size_t i = 1; i < polyline.size(); ++i)
+      chords += polyline[i - 1] != polyline[i];
+  }
+  return arrangement.number_of_vertices() == points.size() && arrangement.number_of_edges() == chords;
+}
+
+} // namespace Regions
+} // namespace internal
+
+/*!
+\ingroup PkgSplineConstraintsDOperations
+
+the arrangement of all curves of solutions of an equation in two unknowns.
+
+Branches that meet in a singular point end in the same vertex, isolated solutions are isolated vertices.
+
+Faces are those of the curves, however coarse the chords are. For the chords of a piece lie in its box: two pieces in one box belong to different ranges of the parameter, and other boxes have no inner point in common with it. So chords do not cross, and within each box they join the same points of its
+boundary as the curves do. Coordinates are rounded to doubles; whether that has made chords meet is decided exactly. Boxes where nothing is proved, `Curve_solution_set_d::undecided()`, leave gaps.
+
+\param system the system that was solved.
+\param set its solutions.
+\param error the distance between a curve and its chords, see `to_polyline()`; positive.
+\throws Invalid_input when there are not two unknowns, the error is not positive, or a coordinate is too great, as above.
+*/
+inline Solution_arrangement_2 to_arrangement(const Constraint_system_d& system, const Curve_solution_set_d& set, double error)
+{
+  if (system.dimension() != 2)
+    throw Invalid_input("to_arrangement: " + std::to_string(system.dimension()) + " unknowns instead of two");
+  Solution_arrangement_2 result{{}, {}, false};
+  for (const Solution_curve& curve : set.curves()) {
+    auto& polyline = result.polylines.emplace_back();
+    for (const std::vector<double>& p : to_polyline(system, set, curve, error))
+      polyline.emplace_back(p[0], p[1]);
+  }
+  for (const auto* isolated : {&set.points(), &set.singular_points()})
+    for (const std::size_t i : *isolated)
+      result.polylines.push_back({{set.vertices()[i].point()[0], set.vertices()[i].point()[1]}});
+  result.arrangement = to_arrangement(result.polylines);
+  result.is_crossing_free = internal::Regions::is_crossing_free(result.arrangement, result.polylines);
+  return result;
+}
+
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_REGIONS_TO_ARRANGEMENT_2_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SUBJECTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SUBJECTS_H
+
+/*!
+\page Spline_constraints_d_subjects Subjects of Operations
+
+Each folder of `operations/` is a subject. It holds the public headers of its operations, and in `internal/` what these
+have in common, in the namespace of the subject. The using-directives of `operations/subjects.h` say which other subjects it
+may use; the check of the house rules reads them there, and refuses every other include, and a circle. What is in
+`internal/` may use the types and the `internal/` of these subjects, but calls none of their operations.
+
+| subject | what it is about | uses |
+|---|---|---|
+| `common` | operands as trees of Bézier pieces with boxes, arcs in exact numbers and in intervals, answers of several subjects | floors below |
+| `intersections` | points and curves that curves and surfaces have in common, with others and with themselves | `common` |
+| `surface_curves` | curves on surfaces: silhouettes, sections, parabolic lines, umbilics, accessible directions | `common`, `intersections` |
+| `regions` | regions of the plane with curved boundaries, as polygons and arrangements, too | `common`, `intersections` |
+| `distances` | closest points, distances of curves, surfaces and regions | `common`, `intersections`, `regions` |
+| `loci` | curves of points that two curves define: bisectors, alpha-sectors, envelopes | `common`, `intersections` |
+| `curve_features` | inflections, vertices, bitangents, cusps of offsets, tangent circles, ray-traps | `common`, `intersections`, `distances`, `loci` |
+| `joints` | ends of curves that nearly meet, joined exactly | `common`, `distances` |
+| `convex_hull` | convex hulls of curves | `common`, `intersections`, `regions` |
+| `visibility` | what is seen from a point, and from where all is seen | `common`, `intersections`, `regions`, `convex_hull` |
+| `minkowski_sum` | Minkowski sums of regions and curves, swept areas | `common`, `intersections`, `regions`, `loci` |
+| `voronoi` | Voronoi diagrams, medial axes, offsets, trimmed bisectors and sectors | `common`, `intersections`, `regions`, `loci`, `minkowski_sum` |
+
+In `voronoi/internal/` a folder uses itself and those before it: `sites` (curves cut into arcs, and their graph), `disks`
+(one disk that touches one or two arcs), `candidates` (arcs that can bound a disk), `envelope` (the largest empty disks along
+an oriented boundary element), `offset`, `diagram`. In the same way `solver/internal/` goes from `exact`, `node`,
+`certification` and `subdivision` to `curves` and `verification`.
+*/
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+namespace Common {
+}
+namespace Intersections {
+using namespace Common;
+}
+namespace Surface_curves {
+using namespace Common;
+using namespace Intersections;
+}
+namespace Regions {
+using namespace Common;
+using namespace Intersections;
+}
+namespace Distances {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+}
+namespace Loci {
+using namespace Common;
+using namespace Intersections;
+}
+namespace Curve_features {
+using namespace Common;
+using namespace Intersections;
+using namespace Distances;
+using namespace Loci;
+}
+namespace Joints {
+using namespace Common;
+using namespace Distances;
+}
+namespace Convex_hull {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+}
+namespace Visibility {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+using namespace Convex_hull;
+}
+namespace Minkowski_sum {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+using namespace Loci;
+}
+namespace Voronoi {
+using namespace Common;
+using namespace Intersections;
+using namespace Regions;
+using namespace Loci;
+using namespace Minkowski_sum;
+}
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SUBJECTS_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_VERTEX_BOUNDS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_VERTEX_BOUNDS_H
+
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Disk_diagram.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+// What is proved of the disk of a vertex.
+template <Enclosing_number Interval>
+struct Basic_vertex_bounds
+{
+  std::array<Interval, 2> center{any_number<Interval>(), any_number<Interval>()};
+  Interval radius = Interval(0, std::numeric_limits<double>::infinity());
+
+  bool are_narrow() const
+  {
+    constexpr double most_error = 0x1p-30;   // of the radius
+    const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
+    return (std::max)({width(center[0]), width(center[1]), width(radius)}) < most_error * radius.sup();
+  }
+};
+
+using Vertex_bounds = Basic_vertex_bounds<Interval>;
+
+/*
+Bounds of the disk of a vertex, which is the disk of an event on each of the fronts around it: it touches them between the stretches that end there. Two such points that are apart determine it: k(u,v) of one front, over that range of u, with the range of the other one for v. In the end of an edge, where both points come
+together, it has the curvature of the front, and where two fronts join, the greater one of theirs.
+*/
+template <Enclosing_number Interval>
+class Basic_vertex_disk
+{
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Vertex_bounds = Basic_vertex_bounds<Interval>;
+
+  const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
+
+public:
+  Basic_vertex_disk(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature) {}
+
+  // Where it touches fronts.
+  Vertex_bounds by_contacts(const std::vector<Front_range>& contacts) const
+  {
+    Vertex_bounds result;
+    for (const Front_range& contact : contacts) {
+      const Front_part part = m_curvature.part(contact.front, contact.range);
+      for (const Front_range& other : contacts)
+        if (are_apart(part, other))
+          add(result, part, curvature(part, other));
+    }
+    return result;
+  }
+
+  // Where the fronts of both sides of an edge meet; of a fan and an arc, in the end of that.
+  Vertex_bounds by_curvatures(const std::array<Front_range, 2>& sides) const
+  {
+    const Vertex_bounds a = by_curvature(sides[0]), b = by_curvature(sides[1]);
+    const auto is_fan = [&](const Front_range& side) { return m_graph.fronts()[side.front].is_fan; };
+    if (is_fan(sides[0]) || is_fan(sides[1]))
+      return is_fan(sides[0]) ? b : a;
+    if (sides[0].range.is_number() && sides[1].range.is_number() && (a.radius.sup() < b.radius.inf() || b.radius.sup() < a.radius.inf()))
+      return a.radius.sup() < b.radius.inf() ? a : b;
+    return {{hull(a.center[0], b.center[0]), hull(a.center[1], b.center[1])}, hull(a.radius, b.radius)};
+  }
+
+private:
+  Vertex_bounds by_curvature(const Front_range& side) const
+  {
+    Vertex_bounds result;
+    if (m_graph.fronts()[side.front].is_fan)
+      return result;
+    const Front_part part = m_curvature.part(side.front, side.range);
+    add(result, part, curvature(part, side));
+    return result;
+  }
+
+  bool are_apart(const Front_part& part, const Front_range& other) const { return squared_norm(part.jet.point - m_graph.front_jet(m_graph.fronts()[other.front], other.range).point).inf() > 0; }
+
+  // Of the disks that touch a front, and another one, or the same one there.
+  Interval curvature(const Front_part& part, const Front_range& other) const
+  {
+    const auto& front = m_graph.fronts()[other.front];
+    return front.is_fan ? m_curvature(part, front.object).value : m_curvature(part, front.object, other.range, m_graph.arcs()[front.object].jet(other.range)).value;
+  }
+
+  static void add(Vertex_bounds& result, const Front_part& part, const Interval& k)
+  {
+    result.radius = common_part(result.radius, radius_of_disk(part.jet.normal, k));
+    for (std::size_t i = 0; i < 2 && k.inf() > 0; ++i)
+      result.center[i] = common_part(result.center[i], part.jet.point[i] + part.jet.normal[i] / k);
+  }
+};
+
+// The disk of a vertex as that of a circle that it touches everywhere, or as the point of a corner, if it is one of these.
+inline std::optional<Vertex_bounds> bounds_of_circle_or_corner(const Site_graph_2& graph, const Disk_diagram& diagram, const Disk_diagram::Vertex& vertex)
+{
+  for (const std::size_t h : vertex.outgoing)
+    if (const auto arc = diagram.circle_before(h))
+      return Vertex_bounds{graph.arcs()[*arc].center(), CGAL::sqrt(graph.arcs()[*arc].squared_radius())};
+  const std::size_t first = vertex.outgoing.front(), twin = diagram.halfedges()[first].twin;
+  if (vertex.outgoing.size() == 1)
+    for (const auto& [halfedge, end] : {std::pair(first, false), std::pair(twin, true)})
+      if (const auto corner = diagram.corner_at_end(halfedge, end))
+        return Vertex_bounds{*corner, Interval(0)};
+  return std::nullopt;
+}
+
+// Bounds of the disk of a vertex, by doubles or, where these tell too little, with numbers of higher precision; none if the vertex is not resolved or at infinity.
+inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram& diagram, const Disk_diagram::Vertex& vertex)
+{
+  if (vertex.is_at_infinity || !vertex.is_resolved)
+    return {};
+  if (const auto simple = bounds_of_circle_or_corner(graph, diagram, vertex))
+    return *simple;
+  std::vector<Front_range> contacts;
+  for (const std::size_t h : vertex.outgoing)
+    contacts.push_back(diagram.range_of_end(h, false));
+  const std::size_t twin = diagram.halfedges()[vertex.outgoing.front()].twin;
+  const auto bounds = [&](const auto& on_level) { return contacts.size() == 1 ? on_level.by_curvatures({contacts[0], diagram.range_of_end(twin, true)}) : on_level.by_contacts(contacts); };
+  const Disk_curvature curvature(graph);
+  const Vertex_bounds result = bounds(Basic_vertex_disk<Interval>(graph, curvature));
+  if (result.are_narrow())
+    return result;
+  const auto fine_curvature = diagram.fine_level()->curvature();
+  const auto fine = bounds(Basic_vertex_disk<Fine_interval>(diagram.fine_level()->graph(), fine_curvature));
+  const Interval_pair center = in_doubles(fine.center);
+  return {{common_part(result.center[0], center[0]), common_part(result.center[1], center[1])}, common_part(result.radius, in_doubles(fine.radius))};
+}
+
+} // namespace Voronoi
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DIAGRAM_VERTEX_BOUNDS_H

@@ -1,0 +1,495 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_DISK_CURVATURE_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_DISK_CURVATURE_H
+
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Circle_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fan_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Scaled_sites.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+/*
+The disk that touches a front in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the center X + N / k with the curvature
+
+  k(u,v) = 2 <N, Y - X> / |Y - X|^2.
+
+The disk is in the half-plane of N where k > 0. Those with k <= 0 contain a half-plane, and there is no need to tell them apart.
+
+Where both points belong to one arc, or to two that join smoothly, both <N, Y - X> and |Y - X|^2 are divided by h^2, with h = v - u: with D = (Y - X) / h, the mean of X' between u and v, and E = <N, Y - X> / h^2, the mean of
+(1-t) <N(u), X''(u + t h)>, k = 2 E / |D|^2 has no singularity at v = u, where it is the curvature of the arc. Derivatives of D and E are means of higher derivatives, and all of them are enclosed by hulls of these.
+
+If it is the disk scaled by a factor c > 1 that passes through Y, |X + N / k - Y| = c |N| / k and
+
+  |Y - X|^2 k^2 - 2 <N, Y - X> k - (c^2 - 1) |N|^2 = 0,
+
+which has one positive solution. Then each disk has such a point: none is a half-plane.
+*/
+template <Enclosing_number Interval>
+class Basic_disk_curvature
+{
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_jet = Basic_front_jet<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+  using Circle_disks = Basic_circle_disks<Interval>;
+  using Curvature_bounds = Basic_curvature_bounds<Interval>;
+  using Curvature_quotient = Basic_curvature_quotient<Interval>;
+  using Front_turn = Basic_front_turn<Interval>;
+  using Fan_disks = Basic_fan_disks<Interval>;
+  using Scaled_sites = Basic_scaled_sites<Interval>;
+
+  static constexpr double small = 0x1p-16;  // ranges over which rounding matters
+  static constexpr double accurate = 0x1p-46;   // the relative error of a difference of points that cannot be much smaller
+  static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
+
+  const Site_graph_2& m_graph;
+  const Scaled_sites* m_scaled;   // none, or some sites, but none of a front in question
+
+public:
+  explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
+
+  const Scaled_sites* scaled_sites() const { return m_scaled; }
+  bool is_arc_scaled(std::size_t arc) const { return m_scaled != nullptr && m_scaled->arcs[arc]; }
+  bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
+
+  // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for both. The arc that goes on has this one as its own continuation.
+  std::optional<Arc_end> continuation(const Front_part& part, const Arc_end& end) const
+  {
+    const auto next = next_on_side_of(part, end);
+    return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end ? next : std::nullopt;
+  }
+
+  Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
+
+  // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
+  Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    Interval_pair result = jet[0] - part.jet.point;
+    if (is_accurate(result) || (!front.is_fan && front.object == arc))
+      return result;
+    for (const bool end : {false, true})
+      if (const Arc_end other{arc, end}; m_graph.is_exact(other))
+        if (const auto to_end = way_to_vertex(part, m_graph.vertex_of(other), end == (range.middle() > 0.5)))
+          result = common_part(result, *to_end + m_graph.arcs()[arc].way_from_end(end, range));
+    return result;
+  }
+
+  // Over a part of a front and a range of an arc, with the enclosures of that.
+  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  {
+    if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
+      return of_scaled_disk(quotient(part, arc, range, jet), part);
+    if (part.range.is_number() && range.is_number())
+      return with_what_is_common(quotient(part, arc, range, jet).bounds(), part, arc, range, jet, part, jet);
+    const double u = part.range.middle(), v = range.middle();
+    return (*this)(part, arc, range, jet, this->part(part.front, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
+  }
+
+  // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both factors where curves are nearly parallel.
+  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  {
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
+    const bool is_small = (std::max)(part.range.width(), range.width()) < small;
+    const Range at_middle{range.middle(), range.middle()};
+    const auto way_of = [&](const Front_part& x, const Range& y, const Curve_jet& jet_of_y) { return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point; };
+    const Interval_pair whole_way = way_of(part, range, jet);
+    const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)), k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
+    if (is_arc_scaled(arc))
+      return of_scaled_disk(k, part);
+    const Curvature_bounds bounds = k.bounds();
+    const bool is_maximum_known = certain_sign(bounds.dv) != 0 || bounds.dvv.sup() < 0;   // if there is one
+    if (is_maximum_known && !(is_small && is_beside_front(part.front, arc)))
+      return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    const auto turn = m_graph.fronts()[part.front].is_fan ? std::nullopt : std::optional(Front_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
+    return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet, middle, jet_in_middle);
+  }
+
+  // The disks that pass through a vertex.
+  Curvature_bounds operator()(const Front_part& part, std::size_t vertex) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const Interval_pair zero{Interval(0), Interval(0)};
+    if (is_vertex_scaled(vertex))
+      return of_scaled_disk(quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
+    const auto through_vertex = [&](const Front_part& x, const Interval_pair& way) { return quotient(x.jet, way, zero, zero, Interval(1)); };
+    const Interval_pair whole_way = way(part, vertex);
+    Curvature_bounds result;
+    if (front.is_fan || part.range.is_number())
+      result = through_vertex(part, whole_way).bounds();
+    else {
+      const double u = part.range.middle();
+      const Front_part middle = this->part(part.front, {u, u});
+      const Curvature_bounds in_middle = through_vertex(middle, way(middle, vertex)).bounds();
+      result = through_vertex(part, whole_way).bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0), Front_turn::beside(part.jet, whole_way, zero));
+    }
+    if (!front.is_fan)
+      for (const bool is_end : {false, true})
+        if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
+          add_by_front(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
+    return result;
+  }
+
+  // The disks that pass through points of a box. Those of half-planes do not matter.
+  Interval through_box(const Front_part& part, const Interval_pair& box) const
+  {
+    const Interval_pair d = box - part.jet.point;
+    Curvature_quotient k;
+    k.f = Interval(2) * dot(part.jet.normal, d);
+    k.q = squared_norm(d);
+    if (m_scaled != nullptr)
+      return hull(Interval(0), of_scaled_disk(k, part).value);
+    return k.f.sup() <= 0 ? Interval(0) : k.q.inf() > 0 ? k.f / k.q : any_number<Interval>();
+  }
+
+  // The disks that touch a front from within the circle that it lies on have the curvature of that.
+  std::optional<Curvature_bounds> of_own_circle(const Front_part& part) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (front.is_fan || !m_graph.arcs()[front.object].circle())
+      return std::nullopt;
+    const Site_arc_2& arc = m_graph.arcs()[front.object];
+    const double u = part.range.middle();
+    const Front_jet x = m_graph.front_jet(front, {u, u});
+    if (!(dot(x.normal, arc.center() - x.point).inf() > 0))
+      return std::nullopt;
+    Curvature_bounds result;
+    result.value = CGAL::sqrt(squared_norm(part.jet.normal) / arc.squared_radius());
+    result.du = dot(part.jet.normal, part.jet.normal_derivative) / (arc.squared_radius() * result.value);
+    return result;
+  }
+
+  // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger, those through points inside smaller.
+  int side_of_own_circle(const Front_part& part, const Interval_pair& points) const
+  {
+    const Site_arc_2& arc = m_graph.arcs()[m_graph.fronts()[part.front].object];
+    return certain_sign(squared_norm(points - arc.center()) - arc.squared_radius());
+  }
+
+private:
+  // What more is known of the disks through a vertex, which has no parameter, from those through the end of an arc.
+  static void add_by_front(Curvature_bounds& result, const Curvature_bounds& more)
+  {
+    result.value = common_part(result.value, more.value);
+    result.du = common_part(result.du, more.du);
+  }
+
+  // Where several arcs leave a vertex in the same direction, that on the side from which disks touch them.
+  std::optional<Arc_end> next_on_side_of(const Front_part& part, const Arc_end& end) const
+  {
+    const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
+    if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end) ? m_scaled->continuation(m_graph, end) : std::nullopt)
+      return only;
+    if (vertex.ends.size() > 2 && m_graph.is_exact(end)) {
+      const Interval_pair tangent = m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()});
+      const int side = certain_sign(dot(turned_left(tangent), part.jet.point - vertex.point)) * (end.is_end ? 1 : -1);
+      if (const auto beside = side != 0 ? m_graph.continuation_beside(end, side > 0) : std::nullopt)
+        return beside;
+    }
+    const auto& smooth = m_graph.continuation(end);
+    return smooth ? std::optional(smooth->end) : std::nullopt;
+  }
+
+  Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Front_part& part) const
+  {
+    const Interval_pair& n = part.jet.normal;
+    return k.positive_zero(m_scaled->excess * squared_norm(n), Interval(2) * m_scaled->excess * dot(n, part.jet.normal_derivative));
+  }
+
+  static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
+
+  // And what is known where the front lies on the arc, has a vertex in common with it, or touches a circle on which one of them lies.
+  Curvature_bounds with_what_is_common(Curvature_bounds result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    if (!front.is_fan && front.object == arc)
+      add_by_tangent(result, within_arc(part, arc, range), arc, range);
+    else
+      add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
+    for (const bool is_end : {false, true})
+      at_common_vertex(result, part, front, {arc, is_end}, range);
+    if (front.is_fan)
+      for (const bool normal : {false, true})
+        if (is_on_circle_through_fan(m_graph, front, normal, arc))
+          result = common_part(result, along_circle_through_fan(m_graph, part, normal, arc, jet));
+    return result;
+  }
+
+  void add_by_circles(Curvature_bounds& result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const Site_arc_2 &y = m_graph.arcs()[arc], *own = front.is_fan ? nullptr : &m_graph.arcs()[front.object];
+    const double v = range.middle();
+    const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(v);
+    const auto difference = [&](const Circle_disks& disks, const Front_part& x, const Range& range, const Curve_jet& jet) {
+      const auto [tangent, change] = y.has_singular_end() ? y.tangent_jet(range) : std::array{jet[1], jet[2]};
+      return disks.difference(quotient(x.jet, arc, range, jet, jet[0] - x.jet.point), jet[0], tangent, change);
+    };
+    const auto add = [&](const Circle_disks& disks, const Circle_disks& in_middle) {
+      Curvature_bounds k = difference(disks, part, range, jet).around(difference(in_middle, middle, {v, v}, jet_in_middle), shift_u, shift_v).bounds();
+      k.value += disks.curvature();
+      k.du += disks.curvature_derivative();
+      result = common_part(result, k);
+    };
+    if (own != nullptr && own->circle() && dot(part.jet.normal, own->center() - part.jet.point).inf() > 0)
+      add(Circle_disks::of_front(part.jet, *own), Circle_disks::of_front(middle.jet, *own));
+    if (const auto disk = y.circle() ? Circle_disks::of_points(middle.jet, y) : std::nullopt)
+      if (const auto disks = disk->over(part.jet, middle.jet, shift_u))
+        add(*disks, *disk);
+  }
+
+  // What more is known where derivatives are those by v itself.
+  void add_by_tangent(Curvature_bounds& result, Curvature_bounds more, std::size_t arc, const Range& range) const
+  {
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    if (y.has_singular_end()) {
+      more.factor = y.tangent_factor(range);
+      const bool is_divided = more.factor.inf() > 0;
+      more.dvv = is_divided ? (more.dvv - more.dv * y.relative_change_of_factor(range)) / more.factor : any_number<Interval>();
+      more.dv = is_divided ? more.dv / more.factor : any_number<Interval>();
+      more.duv = is_divided ? more.duv / more.factor : any_number<Interval>();
+    }
+    result = common_part(result, more);
+  }
+
+  Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, arc, range, jet, way(part, arc, range, jet)); }
+
+  Curvature_quotient quotient(const Front_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval_pair& way) const
+  {
+    const Site_arc_2& y = m_graph.arcs()[arc];
+    if (!y.has_singular_end())
+      return quotient(x, way, jet[1], jet[2], Interval(1));
+    const auto [tangent, change] = y.tangent_jet(range);
+    return quotient(x, way, tangent, change, y.tangent_factor(range));
+  }
+
+  // From the front to a vertex.
+  Interval_pair way(const Front_part& part, std::size_t vertex) const
+  {
+    const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
+    const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact ? way_to_vertex(part, vertex, true) : std::nullopt;
+    return short_way ? common_part(result, *short_way) : result;
+  }
+
+  // From the front to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an end.
+  std::optional<Interval_pair> way_to_vertex(const Front_part& part, std::size_t vertex, bool is_any_vertex) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    std::optional<Interval_pair> result;
+    const auto add = [&](std::size_t from, const Interval_pair& way) {
+      const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
+      result = result ? common_part(*result, whole) : whole;
+    };
+    const auto is_taken = [&](std::size_t from, bool is_near) { return from == vertex || (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact); };
+    if (front.is_fan && is_taken(front.object, true))
+      add(front.object, {Interval(0), Interval(0)});
+    if (!front.is_fan)
+      for (const bool own : {false, true})
+        if (const Arc_end end{front.object, own}; m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
+          add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[front.object].way_from_end(own, part.range));
+    return result;
+  }
+
+  // Whether a difference of coordinates is not much smaller than these.
+  static bool is_accurate(const Interval_pair& way)
+  {
+    const auto width = [](const Interval& x) { return x.sup() - x.inf(); };
+    const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
+    return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
+  }
+
+  // Whether disks that touch a front and an arc may be nearly those of the curvature of the front: on its own arc, and on one that goes on smoothly.
+  bool is_beside_front(std::size_t front, std::size_t arc) const
+  {
+    const Front& f = m_graph.fronts()[front];
+    const auto goes_on = [&](bool is_end) {
+      const auto& all = m_graph.continuations({f.object, is_end}).smooth;
+      return std::any_of(all.begin(), all.end(), [&](const Smooth_continuation& next) { return next.end.arc == arc; });
+    };
+    return !f.is_fan && (f.object == arc || goes_on(false) || goes_on(true));
+  }
+
+  // For a point at the end of a way d, which moves with the derivative m D.
+  static Curvature_quotient quotient(const Front_jet& x, const Interval_pair& d, const Interval_pair& tangent, const Interval_pair& change, const Interval& factor)
+  {
+    const Interval two(2);
+    Curvature_quotient k;
+    k.factor = factor;
+    k.f = two * dot(x.normal, d);
+    k.q = squared_norm(d);
+    k.fu = two * dot(x.normal_derivative, d);   // the normal and the derivative of the point are perpendicular
+    k.qu = -two * dot(d, x.point_derivative);
+    k.fv = two * dot(x.normal, tangent);
+    k.qv = two * dot(d, tangent);
+    k.fvv = two * dot(x.normal, change);
+    k.qvv = two * (factor * squared_norm(tangent) + dot(d, change));
+    k.fuv = two * dot(x.normal_derivative, tangent);
+    k.quv = -two * dot(x.point_derivative, tangent);
+    return k;
+  }
+
+  /*
+  With the mean derivative D and G = D_u, the mean of (1-t) X'', which has E = <N, G>. Around the middle c of u and v,
+
+    D = X'(c) + h^2/24 X''',  G = X''(c)/2 - h/12 X'''(c) + h^2/48 X'''',  D_v = X''(c)/2 + h/12 X'''(c) + h^2/48 X'''',
+
+  with last derivatives somewhere between u and v; so that little is lost by hulls if h is small.
+  */
+  Curvature_bounds within_arc(const Front_part& part, std::size_t arc, const Range& range) const
+  {
+    const Interval h = interval_of<Interval>(range) - interval_of<Interval>(part.range), hh = CGAL::square(h);
+    const Interval middle = (interval_of<Interval>(range) + interval_of<Interval>(part.range)) / Interval(2);
+    const Curve_jet x = m_graph.arcs()[arc].jet(united(part.range, range)), y = m_graph.arcs()[arc].jet({(std::max)(middle.inf(), 0.0), (std::min)(middle.sup(), 1.0)}, 3);
+    const Interval two(2), half = Interval(1) / two, third = Interval(1) / Interval(3), sixth = Interval(1) / Interval(6);
+    const Interval_pair d = common_part(x[1], y[1] + (hh / Interval(24)) * x[3]), change = (h / Interval(12)) * y[3], rest = (hh / Interval(48)) * x[4];
+    const Interval_pair g = common_part(half * x[2], half * y[2] - change + rest), dv = common_part(half * x[2], half * y[2] + change + rest);
+    const auto [n, nu] = std::pair(part.jet.normal, part.jet.normal_derivative);
+    Curvature_quotient k;
+    k.f = two * dot(n, g);
+    k.q = squared_norm(d);
+    k.fu = two * (dot(nu, g) + third * dot(n, x[3]));
+    k.qu = two * dot(d, g);
+    k.fv = third * dot(n, x[3]);
+    k.qv = two * dot(d, dv);
+    k.fvv = sixth * dot(n, x[4]);
+    k.qvv = two * (squared_norm(dv) + third * dot(d, x[3]));
+    k.fuv = third * dot(nu, x[3]) + sixth * dot(n, x[4]);
+    k.quv = two * (dot(g, dv) + sixth * dot(d, x[3]));
+    return k.bounds();
+  }
+
+  // What more is known where the front begins or ends in the end of the arc.
+  void at_common_vertex(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  {
+    const std::size_t vertex = m_graph.vertex_of(end);
+    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
+    if (front.is_fan) {
+      if (front.object == vertex)
+        at_fan(result, part, front, end, range);
+      return;
+    }
+    for (const bool is_end : {false, true}) {
+      const Arc_end own{front.object, is_end};
+      if (m_graph.vertex_of(own) != vertex || own == end)
+        continue;
+      const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
+      const Smooth_continuation* next = m_graph.continuations(own).smooth_at(end);
+      if (next != nullptr && m_graph.is_regular(own) && m_graph.is_regular(end))
+        result.value = common_part(result.value, across_smooth_joint(part, own, own_to_vertex, *next, to_vertex));
+      else if (const auto& nearly = m_graph.nearly_smooth_continuation(own); nearly && nearly->end == end)
+        result.value = common_part(result.value, across_nearly_smooth_joint(part, own, *nearly, range));
+      else if (own_to_vertex.width() == part.range.width() && to_vertex.width() == range.width())
+        at_corner(result, part, own, end, range);
+    }
+  }
+
+  // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
+  Interval across_smooth_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
+  {
+    return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio, Interval(0));
+  }
+
+  /*
+  The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2. It is large only in a small neighbourhood of the vertex, where J is small.
+  */
+  Interval across_nearly_smooth_joint(const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& continuation, const Range& range) const
+  {
+    const Interval scale(continuation.scale);
+    const double a = distance(own, part.range).inf();
+    const Interval distances = distance(continuation.end, range) / scale;
+    const double b = std::clamp(a, distances.inf(), distances.sup());   // where the term is greatest
+    const Interval jump = dot(part.jet.normal, continuation.jump);
+    const Interval term = a + b > 0 ? jump * Interval(0, (Interval(b) / CGAL::square(Interval(a) + Interval(b))).sup()) : number_of_sign(certain_sign(jump));
+    const Range own_range = united(part.range, {own.parameter(), own.parameter()}), other_range = united(range, {continuation.end.parameter(), continuation.end.parameter()});
+    return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
+  }
+
+  Interval across_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
+  {
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
+    const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
+    const Interval q = squared_norm(hull(to_end * x[1], (away * scale) * y[1]));
+    const Interval bend = CGAL::square(scale) * dot(part.jet.normal, y[2]);
+    return q.inf() > 0 ? ((own_range.is_number() ? bend : hull(dot(part.jet.normal, x[2]), bend)) + Interval(2) * jump) / q : any_number<Interval>();
+  }
+
+  // A number of which only the sign is known, or not even that.
+  static Interval number_of_sign(int sign)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return Interval(sign > 0 ? 0 : -infinity, sign < 0 ? 0 : infinity);
+  }
+
+  // From an end of an arc, of the parameters of a range.
+  static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range); }
+
+  // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
+  void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  {
+    const Range to_vertex = united(range, {end.parameter(), end.parameter()});
+    const Site_arc_2& arc = m_graph.arcs()[end.arc];
+    const Curve_jet y = arc.jet(to_vertex, 2);
+    const Interval_pair b = Interval(end.is_end ? -1 : 1) * (arc.has_singular_end() ? arc.direction_over(to_vertex) : y[1]);   // the outgoing mean derivative, up to a positive factor
+    if (dot(part.jet.normal, b).sup() < 0)
+      result.value = common_part(result.value, number_of_sign(-1));
+    if (!m_graph.is_regular(end))
+      return;
+    // The arc begins below the half-plane of the normal, if only by a small angle.
+    if (const Interval q = squared_norm(y[1]); q.inf() > 0)
+      result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
+    for (const bool k : {false, true})
+      if (m_graph.is_perpendicular(front, k, end)) {
+        const Fan_disks disks(m_graph, part, k, end, range);
+        Curvature_bounds more = disks.bounds();
+        const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
+        if (touches_vertex && disks.is_increasing())
+          more.dv = common_part(more.dv, end.is_end ? Interval(-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::min()) : Interval(std::numeric_limits<double>::min(), std::numeric_limits<double>::infinity()));
+        add_by_tangent(result, more, end.arc, range);
+      }
+  }
+
+  /*
+  p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
+  <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
+  */
+  void at_corner(Curvature_bounds& result, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  {
+    const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
+    const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1], b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);
+    const Interval nb = dot(part.jet.normal, b), e = dot(part.jet.normal, x[2]) / Interval(2);
+    if (!(nb.sup() < 0))
+      return;
+    const Interval s(part.range.width());
+    const Interval turn = Interval(2) * s * Interval((std::max)(e.sup(), 0.0)) * dot(b, d), square = squared_norm(d);
+    result.is_below_vertex = e.sup() <= 0 || nb.sup() * square.inf() <= (std::min)(turn.inf(), 0.0);
+  }
+};
+
+using Disk_curvature = Basic_disk_curvature<Interval>;
+
+} // namespace Voronoi
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_DISK_CURVATURE_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_COMMON_DISK_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_COMMON_DISK_H
+
+#include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
+#include <CGAL/Spline_constraints_d/number/Exact_rational.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+/*
+A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
+*/
+template <Enclosing_number Interval>
+class Basic_common_disk
+{
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+
+  const Site_graph_2& m_graph;
+  const Disk_curvature& m_curvature;
+  Exact_pair m_center;
+  Interval_pair m_enclosed_center;
+  std::optional<Exact_rational> m_squared_radius;
+
+public:
+  // The center is the simplest one in an enclosure.
+  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph), m_curvature(curvature)
+  {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
+        return;
+      m_center[k] = simplest_rational_between(Exact_rational(center[k].inf()), Exact_rational(center[k].sup()));
+      m_enclosed_center[k] = interval_of<Interval>(m_center[k]);
+    }
+    for (const Disk_branch& contact : contacts)
+      if (!m_squared_radius)
+        m_squared_radius = contact.move ? squared_radius_at_end({contact.move->arc, contact.move->parameter == 1}) : squared_radius(contact.contact);
+  }
+
+  // Whether it touches a part of a front, on the side of the normals.
+  bool touches(const Front_part& part) const
+  {
+    const Front& front = m_graph.fronts()[part.front];
+    const Interval_pair away = m_enclosed_center - part.jet.point;
+    if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
+      return false;
+    if (!front.is_fan)
+      return touches_arc(m_graph.arcs()[front.object], part.range, *m_squared_radius);
+    const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.front_jet(front, {u, u}).normal), away)); };
+    return touches(m_graph.vertices()[front.object], *m_squared_radius) && turn(part.range.begin) * turn(part.range.end) < 0;
+  }
+
+  // Whether it touches the same thing as the disks of a branch.
+  bool touches(const Located_contact& located) const
+  {
+    if (!m_squared_radius)
+      return false;
+    const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.contact);
+    if (located.contact.kind == Disk_contact::Kind::VERTEX)
+      return touches(m_graph.vertices()[located.contact.index], square);
+    return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range, square);
+  }
+
+  // Whether it touches an arc in its end: the center is on the perpendicular there.
+  bool touches_end(const Arc_end& end) const
+  {
+    if (!m_squared_radius || !m_graph.is_exact(end))
+      return false;
+    const Exact_pair q = m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()));
+    return squared_distance_from(q) == *m_squared_radius * squared_factor(m_curvature, arc_of(end)) && sign_of(exact_dot(exact_difference(m_center, q), m_graph.direction(end))) == 0;
+  }
+
+private:
+  static Disk_contact arc_of(const Arc_end& end) { return {Disk_contact::Kind::ARC, end.arc}; }
+
+  bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
+
+  Exact_rational squared_distance_from(const Exact_pair& p) const
+  {
+    const Exact_pair d = exact_difference(m_center, p);
+    return exact_dot(d, d);
+  }
+
+  Exact_rational squared_distance_from_line(const Site_arc_2& arc) const
+  {
+    const Exact_pair a = arc.at(0), d = exact_difference(arc.at(1), a);
+    const Exact_rational area = exact_cross(d, exact_difference(m_center, a));
+    return Exact_rational(area * area / exact_dot(d, d));
+  }
+
+  // Of the disk that touches the point in which a contact goes over from an arc to the next one.
+  std::optional<Exact_rational> squared_radius_at_end(const Arc_end& end) const
+  {
+    return m_graph.is_exact(end) ? std::optional(Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) / squared_factor(m_curvature, arc_of(end)))) : std::nullopt;
+  }
+
+  // The squared radius of the disk that touches a contact, if it is known to be rational.
+  std::optional<Exact_rational> squared_radius(const Disk_contact& contact) const
+  {
+    if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
+      return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(m_curvature, contact));
+    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
+      return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(m_curvature, contact));
+    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].circle())
+      return squared_distance_from_circle(*m_graph.arcs()[contact.index].circle(), squared_factor(m_curvature, contact));
+    return std::nullopt;
+  }
+
+  // (d - r)^2 = d^2 + r^2 - 2 d r.
+  std::optional<Exact_rational> squared_distance_from_circle(const std::pair<Exact_pair, Exact_rational>& circle, const Exact_rational& squared_factor) const
+  {
+    const Exact_rational square = squared_distance_from(circle.first);
+    const auto product = rational_square_root(Exact_rational(square * circle.second));
+    return product ? std::optional(Exact_rational((square + circle.second - 2 * *product) / squared_factor)) : std::nullopt;
+  }
+
+  // Whether it touches the line or circle of an arc, and the distance has its minimum in a range.
+  bool touches_arc(const Site_arc_2& arc, const Range& range, const Exact_rational& square) const
+  {
+    const auto approach = [&](double v) {
+      const Curve_jet y = arc.jet({v, v}, 1);
+      return certain_sign(dot(m_enclosed_center - y[0], y[1]));
+    };
+    return touches_line_or_circle(arc, square) && approach(range.begin) > 0 && approach(range.end) < 0;
+  }
+
+  // Circles touch where the distance of their centers is the sum or the difference of the radii: (d^2 - r^2 - s^2)^2 = 4 r^2 s^2.
+  bool touches_line_or_circle(const Site_arc_2& arc, const Exact_rational& squared_radius) const
+  {
+    if (arc.is_straight())
+      return squared_distance_from_line(arc) == squared_radius;
+    if (!arc.circle())
+      return false;
+    const auto& [center, square] = *arc.circle();
+    const Exact_rational rest = squared_distance_from(center) - square - squared_radius;
+    return rest * rest == 4 * square * squared_radius;
+  }
+};
+
+using Common_disk = Basic_common_disk<Interval>;
+
+} // namespace Voronoi
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_COMMON_DISK_H

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_CORNER_TIP_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_CORNER_TIP_H
+
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_slope.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+/*
+Two arcs that join nearly smoothly, seen from the side where their angle is more than 180 degrees, if the largest disks at the vertex are those of the curvature of one of them: the diagram has a tip there. From far away it is that of a smooth joint where the curvature jumps, with disks that touch both arcs; very near to it they touch the vertex and the arc with the
+larger curvature.
+*/
+template <Enclosing_number Interval>
+class Basic_corner_tip
+{
+  using Site_graph_2 = Basic_site_graph_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_part = Basic_front_part<Interval>;
+  using Disk_curvature = Basic_disk_curvature<Interval>;
+  using Disk_candidate = Basic_disk_candidate<Interval>;
+
+  const Site_graph_2& m_graph;
+  const Front_part& m_part;
+  const Front& m_front;
+
+public:
+  Basic_corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
+
+  /*
+  The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk touches it twice: so the disks leave no part of it out.
+  */
+  std::optional<Located_contact> only_contact(const std::vector<Disk_candidate>& candidates) const
+  {
+    for (const Arc_end& other : other_ends()) {
+      Range range{other.parameter(), other.parameter()};
+      for (const Disk_candidate& candidate : candidates)
+        if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
+          range = united(range, candidate.range);
+        else
+          range = Range();
+      if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
+        return Located_contact{{Disk_contact::Kind::ARC, other.arc}, range};
+    }
+    return std::nullopt;
+  }
+
+  // The vertex, and behind it on the front the other arc.
+  struct Contacts
+  {
+    Arc_end own, other;
+    Located_contact vertex, arc;
+  };
+
+  /*
+  The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
+  */
+  std::optional<Contacts> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
+  {
+    if (m_front.is_fan)
+      return std::nullopt;
+    for (const Arc_end& other : other_ends()) {
+      const Arc_end own = m_graph.nearly_smooth_continuation(other)->end;
+      const std::size_t vertex = m_graph.vertex_of(own);
+      Range range{other.parameter(), other.parameter()}, own_range{own.parameter(), own.parameter()};
+      const int way = own.is_end ? 1 : -1;
+      std::vector<Disk_candidate> left(candidates);   // without those of the own arc on which the curvature grows up to the vertex
+      take_connected(left, own_range, [&](const Disk_candidate& c) { return c.index == own.arc && certain_sign(c.bounds.dv) == way; });
+      for (const Disk_candidate& candidate : left)
+        if (candidate.kind == Disk_candidate::Kind::ARC && candidate.index == other.arc)
+          range = united(range, candidate.range);
+        else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
+          range = Range();
+      if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
+        return Contacts{own, other, {{Disk_contact::Kind::VERTEX, vertex}}, {{Disk_contact::Kind::ARC, other.arc}, range}};
+    }
+    return std::nullopt;
+  }
+
+  // Whether the disk that touches the front in a point touches the vertex (1) or the arc (-1); 0 if that is not certain.
+  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Contacts& contacts, double u, double least) const
+  {
+    if (u == contacts.own.parameter()) {
+      const Front_part point = curvature.part(m_part.front, {u, u});
+      const Interval arc = curvature(point, contacts.other.arc, contacts.arc.range, m_graph.arcs()[contacts.other.arc].jet(contacts.arc.range)).value;
+      return arc.sup() < curvature(point, contacts.vertex.contact.index).value.inf() ? 1 : 0;
+    }
+    const auto distances = [](const Range& range, const Arc_end& end) { return end.is_end ? Range{1 - range.end, 1 - range.begin} : range; };
+    switch (slopes(contacts.own.is_end, contacts.other).slopes(distances({u, u}, contacts.own), distances(contacts.arc.range, contacts.other), least).pattern) {
+    case Sign_pattern::NEGATIVE: return 1;
+    case Sign_pattern::FALLING:
+    case Sign_pattern::POSITIVE: return -1;
+    default: return 0;
+    }
+  }
+
+private:
+  static bool is_part(const Range& range) { return range.width() > 0 && range.width() < 1; }
+
+  // The ends of arcs next to the front in a vertex that the part reaches.
+  std::vector<Arc_end> other_ends() const
+  {
+    std::vector<Arc_end> result;
+    if (m_front.is_fan) {
+      for (const Arc_end& end : m_graph.vertices()[m_front.object].ends)
+        if (m_graph.nearly_smooth_continuation(end))
+          result.push_back(end);
+      return result;
+    }
+    for (const bool end : {false, true})
+      if (const auto& next = m_graph.nearly_smooth_continuation({m_front.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && !m_graph.is_pocket(m_front, {m_front.object, end}))
+        result.push_back(next->end);
+    return result;
+  }
+};
+
+using Corner_tip = Basic_corner_tip<Interval>;
+
+} // namespace Voronoi
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_CORNER_TIP_H

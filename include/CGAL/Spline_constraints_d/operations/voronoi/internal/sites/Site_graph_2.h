@@ -1,0 +1,502 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_GRAPH_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_GRAPH_2_H
+
+#include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Arc_germ.h>
+#include <CGAL/Spline_constraints_d/operations/subjects.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Front_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/front_cycles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+namespace Voronoi {
+
+/*
+Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
+
+Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no fans; in its place, and in those of the ends of its arcs, there are exact points next to them.
+*/
+template <Enclosing_number Interval>
+class Basic_site_graph_2
+{
+  using Interval_pair = std::array<Interval, 2>;
+  using Curve_jet = Basic_curve_jet<Interval>;
+  using Site_arc_2 = Basic_site_arc_2<Interval>;
+  using Front = Basic_front<Interval>;
+  using Front_jet = Basic_front_jet<Interval>;
+  using Smooth_continuation = Basic_smooth_continuation<Interval>;
+  using Arc_continuations = Basic_arc_continuations<Interval>;
+  using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
+
+public:
+  using Vertex = Basic_site_vertex<Interval>;
+
+  // The vertex in which an arc ends, and a bound of the distance of the end from that of its piece, in the parameter of that.
+  struct Place_of_end
+  {
+    std::size_t vertex;
+    Exact_rational error;
+  };
+
+private:
+  std::vector<Site_arc_2> m_arcs;
+  std::vector<std::size_t> m_curve_of_arc;
+  std::vector<std::array<std::size_t, 2>> m_vertices_of_arc;
+  std::vector<std::array<bool, 2>> m_is_end_exact;
+  std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
+  std::vector<std::array<Arc_continuations, 2>> m_continuations;
+  std::vector<Vertex> m_vertices;
+  std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
+  std::map<Exact_pair, std::size_t> m_vertex_at;
+  std::vector<Coincident_parts_2> m_coincident_parts;
+  bool m_is_proved = true, m_is_planar = true;
+
+  template <Enclosing_number Other>
+  friend class Basic_site_graph_2;
+
+public:
+  Basic_site_graph_2() = default;
+
+  // The same graph with enclosures of another precision.
+  template <Enclosing_number Other>
+  explicit Basic_site_graph_2(const Basic_site_graph_2<Other>& other)
+    : m_curve_of_arc(other.m_curve_of_arc), m_vertices_of_arc(other.m_vertices_of_arc), m_is_end_exact(other.m_is_end_exact), m_directions(other.m_directions),
+      m_continuations(other.m_arcs.size()), m_vertex_at(other.m_vertex_at), m_coincident_parts(other.m_coincident_parts), m_is_proved(other.m_is_proved), m_is_planar(other.m_is_planar)
+  {
+    for (const Exact_arc_2& arc : other.m_arcs)
+      m_arcs.emplace_back(arc);
+    for (const auto& [exact_point, point, ends, fans, is_exact, rest] : other.m_vertices) {
+      Vertex& vertex = m_vertices.emplace_back(Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, fans, is_exact});
+      vertex.enclose();
+      for (const Arc_end& end : ends)
+        vertex.enclose_by_end(m_arcs[end.arc], end.is_end);
+    }
+    for (const auto& [is_fan, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle, component] : other.m_fronts)
+      m_fronts.push_back({is_fan, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next, cycle, component});
+    for (const Vertex& vertex : m_vertices)
+      find_continuations(vertex);
+  }
+
+  // The vertex with given coordinates.
+  std::size_t add_point(const Exact_pair& point)
+  {
+    const auto [position, is_new] = m_vertex_at.emplace(point, m_vertices.size());
+    if (is_new)
+      m_vertices.emplace_back(Vertex{point}).enclose();
+    return position->second;
+  }
+
+  // A vertex next to a point, which is known by the arcs that end there.
+  std::size_t add_crossing(const Exact_pair& near)
+  {
+    m_vertices.emplace_back(Vertex{near}).is_exact = false;
+    return m_vertices.size() - 1;
+  }
+
+  // Ends that have no place given are those of the piece.
+  void add_arc(Homogeneous_piece piece, std::size_t curve, const std::array<std::optional<Place_of_end>, 2>& places = {})
+  {
+    const auto error = [&](bool is_end) { return places[is_end] ? places[is_end]->error : Exact_rational(0); };
+    Site_arc_2 arc(std::move(piece), (std::max)(error(false), error(true)));
+    const Exact_pair a = arc.at(0), b = arc.at(1);
+    check_is_no_point(arc.piece().coordinates, arc.piece().domain, curve, "");
+    m_directions.push_back({outgoing_direction(arc, false), outgoing_direction(arc, true)});
+    m_curve_of_arc.push_back(curve);
+    m_is_end_exact.push_back({sign_of(error(false)) == 0, sign_of(error(true)) == 0});
+    const std::array<std::size_t, 2> vertices{places[0] ? places[0]->vertex : add_point(a), places[1] ? places[1]->vertex : add_point(b)};
+    m_vertices_of_arc.push_back(vertices);
+    for (const bool is_end : {false, true}) {
+      m_vertices[vertices[is_end]].ends.push_back({m_arcs.size(), is_end});
+      m_vertices[vertices[is_end]].enclose_by_end(arc, is_end);
+    }
+    m_arcs.push_back(std::move(arc));
+  }
+
+  // For parts that other curves have, too, and only one of which has been added.
+  void add_coincident_parts(const Coincident_parts_2& parts) { m_coincident_parts.push_back(parts); }
+
+  // Orders the arcs around the vertices, and makes the fronts. Where some may overlap, the graph is not proved; where some may cross, it is not planar.
+  void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true)
+  {
+    m_is_proved = are_arcs_disjoint;
+    m_is_planar = are_crossings_cut;
+    for (std::size_t i = 0; i < m_arcs.size(); ++i) {
+      m_fronts.push_back({false, i, false});
+      m_fronts.push_back({false, i, true});
+    }
+    m_continuations.resize(m_arcs.size());
+    for (std::size_t v = 0; v < m_vertices.size(); ++v) {
+      const bool is_ordered = order_ends(m_vertices[v]);
+      m_is_proved = m_is_proved && is_ordered && is_order_proved(m_vertices[v]);
+      find_continuations(m_vertices[v]);
+      connect_fronts(v);
+    }
+    number_cycles(m_fronts);
+  }
+
+  const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
+  const std::vector<Vertex>& vertices() const { return m_vertices; }
+  const std::vector<Front>& fronts() const { return m_fronts; }
+  std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
+  const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
+
+  // Whether an arc is a part of a curve, its own or one that overlaps it there.
+  bool is_part_of(std::size_t arc, std::size_t curve) const
+  {
+    return m_curve_of_arc[arc] == curve || std::any_of(m_coincident_parts.begin(), m_coincident_parts.end(), [&](const Coincident_parts_2& parts) { return parts.curves[1] == curve && parts.hold(0, m_curve_of_arc[arc], m_arcs[arc].piece().domain); });
+  }
+
+  // The parameter of a point of an arc, of its curve.
+  double curve_parameter(std::size_t arc, double u) const
+  {
+    const auto& [first, last] = m_arcs[arc].piece().domain;
+    const double begin = to_nearest_double(first), end = to_nearest_double(last);
+    return u == 1 ? end : std::clamp(begin + u * (end - begin), begin, end);
+  }
+
+  // From one vertex to another one, both known exactly, with a small relative error.
+  Interval_pair way_between(std::size_t from, std::size_t to) const
+  {
+    const Vertex &p = m_vertices[from], &q = m_vertices[to];
+    const auto way = [&](std::size_t k) { return Interval(q.point[k].inf()) - Interval(p.point[k].inf()) + (q.rest[k] - p.rest[k]); };
+    return {way(0), way(1)};
+  }
+
+  std::size_t vertex_of(const Arc_end& end) const { return m_vertices_of_arc[end.arc][end.is_end]; }
+
+  // Whether an arc ends where its piece does.
+  bool is_exact(const Arc_end& end) const { return m_is_end_exact[end.arc][end.is_end]; }
+  bool are_ends_exact(std::size_t arc) const { return is_exact({arc, false}) && is_exact({arc, true}); }
+
+  // Whether the derivative of an arc is not zero in an end, as far as that is known.
+  bool is_regular(const Arc_end& end) const { return m_arcs[end.arc].zeros_of_derivative(end.is_end) == 0; }
+
+  // Whether the order of the arcs around all vertices is proved, and no arcs are known to overlap.
+  bool is_proved() const { return m_is_proved; }
+
+  // Whether, besides, arcs meet in their ends only.
+  bool is_planar() const { return m_is_proved && m_is_planar; }
+
+  const Arc_continuations& continuations(const Arc_end& end) const { return m_continuations[end.arc][end.is_end]; }
+  const std::optional<Smooth_continuation>& continuation(const Arc_end& end) const { return continuations(end).only; }
+  const std::optional<Nearly_smooth_continuation>& nearly_smooth_continuation(const Arc_end& end) const { return continuations(end).nearly_smooth; }
+
+  // The arc that leaves a vertex in the direction in which another one arrives, if it is the next one on a side of that, as for disks that touch both there.
+  std::optional<Arc_end> continuation_beside(const Arc_end& end, bool is_left) const
+  {
+    const Arc_end& next = next_around_vertex({false, end.arc, is_left != end.is_end}, end);
+    const Exact_pair &p = direction(end), &q = direction(next);
+    return sign_of(exact_dot(p, q)) < 0 && sign_of(exact_cross(p, q)) == 0 ? std::optional(next) : std::nullopt;
+  }
+
+  // Whether a front ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
+  bool is_pocket(const Front& front, const Arc_end& end) const
+  {
+    const auto& next = nearly_smooth_continuation(end);
+    return next && (end.is_end != front.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
+  }
+
+  // The end of the arc on the other side of the cusp in which a front ends: that arc leaves the vertex in the same direction, and nothing is between.
+  std::optional<Arc_end> across_cusp(const Front& front, const Arc_end& end) const
+  {
+    const Arc_end& next = next_around_vertex(front, end);
+    return !is_last_around_vertex(front, end) && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+  }
+
+  // Whether the next arc around the vertex is on the other side of all others, if all leave in one direction.
+  bool is_last_around_vertex(const Front& front, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
+    return end == (is_left_of_way_to(front, end) ? ends.front() : ends.back());
+  }
+
+  // That of the next arc around the vertex in which a front ends, on the side of the front; and the front on the other side of the angle between them.
+  const Arc_end& next_around_vertex(const Front& front, const Arc_end& end) const
+  {
+    const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
+    const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()), n = ends.size();
+    return ends[(i + (is_left_of_way_to(front, end) ? n - 1 : 1)) % n];
+  }
+
+  std::size_t front_across(const Front& front, const Arc_end& end) const
+  {
+    return is_left_of_way_to(front, end) ? departing(next_around_vertex(front, end)) : arriving(next_around_vertex(front, end));
+  }
+
+  // Those of the arcs on both sides of a fan.
+  std::pair<Arc_end, Arc_end> ends_beside_fan(std::size_t fan) const
+  {
+    std::size_t f = fan;
+    while (m_fronts[f].is_fan)
+      f = m_fronts[f].next;
+    const Arc_end last{m_fronts[f].object, m_fronts[f].is_reversed};   // where the traversal departs
+    return {last, next_around_vertex(m_fronts[f], last)};
+  }
+
+  // Whether a front is a fan between arcs that join nearly smoothly.
+  bool is_in_nearly_smooth_joint(const Front& front) const
+  {
+    return front.is_fan && !m_vertices[front.object].ends.empty() && nearly_smooth_continuation(m_vertices[front.object].ends.front()).has_value();
+  }
+
+  // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
+  const Exact_pair& direction(const Arc_end& end) const { return m_directions[end.arc][end.is_end]; }
+
+  Front_jet front_jet(const Front& front, const Range& range) const
+  {
+    if (front.is_fan) {
+      const Interval u = interval_of<Interval>(range);
+      const Interval_pair difference = front.normals[1] - front.normals[0];
+      return {m_vertices[front.object].point, {Interval(0), Interval(0)}, {front.normals[0][0] + u * difference[0], front.normals[0][1] + u * difference[1]}, difference};
+    }
+    const Site_arc_2& arc = m_arcs[front.object];
+    const Curve_jet jet = arc.jet(range, 2);
+    const Interval side(front.is_reversed ? -1 : 1);
+    const auto [tangent, change] = arc.has_singular_end() ? arc.tangent_jet(range) : std::array{jet[1], jet[2]};
+    return {jet[0], jet[1], side * turned_left(tangent), side * turned_left(change)};
+  }
+
+  // Whether a vertex lies on the line or circle of the arc of a front: the disks through it then are half-planes, or have the curvature of the circle.
+  bool is_vertex_on_line_or_circle_of(std::size_t front, std::size_t vertex) const
+  {
+    if (m_fronts[front].is_fan)
+      return false;
+    const Site_arc_2& arc = m_arcs[m_fronts[front].object];
+    if (!arc.is_straight() && !arc.circle())
+      return false;
+    if (arc.is_straight()) {
+      const auto& [a, b] = m_vertices_of_arc[m_fronts[front].object];
+      const Interval_pair& q = m_vertices[vertex].point;
+      if (certain_sign(dot(turned_left(m_vertices[a].point - q), m_vertices[b].point - q)) != 0)
+        return false;
+    } else if (certain_sign(squared_norm(m_vertices[vertex].point - arc.center()) - arc.squared_radius()) != 0)
+      return false;
+    if (m_vertices[vertex].is_exact)
+      return arc.is_on_line_or_circle(m_vertices[vertex].exact_point);
+    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(front, end.arc); });
+  }
+
+  // A point of a front, of an arc by the parameter of its piece, and the normal there.
+  Exact_pair exact_point_at(const Front& front, const Exact_rational& u) const { return front.is_fan ? m_vertices[front.object].exact_point : m_arcs[front.object].at(u); }
+  Exact_pair exact_normal(const Front& front, const Exact_rational& u) const
+  {
+    if (front.is_fan) {
+      const auto& [from, to] = front.exact_normals;
+      return {Exact_rational(from[0] + u * (to[0] - from[0])), Exact_rational(from[1] + u * (to[1] - from[1]))};
+    }
+    const Exact_pair tangent = m_arcs[front.object].tangent_at(u);
+    return front.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
+  }
+
+  // Whether the first or last normal of a fan is perpendicular to an arc there.
+  static bool is_perpendicular(const Front& fan, bool normal, const Arc_end& end)
+  {
+    const std::vector<Arc_end>& ends = fan.perpendicular_ends[normal];
+    return std::find(ends.begin(), ends.end(), end) != ends.end();
+  }
+
+  const Exact_pair& exact_point(const Front& front, bool end) const { return m_vertices[front.is_fan ? front.object : vertex_of({front.object, end})].exact_point; }
+
+  // Whether an arc lies on the line or circle of the arc of a front.
+  bool is_on_line_or_circle_of(std::size_t front, std::size_t arc) const
+  {
+    if (m_fronts[front].is_fan)
+      return false;
+    const Site_arc_2 &own = m_arcs[m_fronts[front].object], &other = m_arcs[arc];
+    if (own.is_straight())
+      return other.is_straight() && own.is_on_line_or_circle(other.at(0)) && own.is_on_line_or_circle(other.at(1));
+    return own.circle() && own.circle() == other.circle();
+  }
+
+  // Whether no disk that touches a front touches an arc elsewhere: it lies on the line or circle of the front; or it is a segment that ends in the vertex of the front, or is behind one.
+  bool is_never_touched(std::size_t front, std::size_t arc) const
+  {
+    if (!m_fronts[front].is_fan)
+      return is_on_line_or_circle_of(front, arc);
+    const auto& ends = m_vertices[m_fronts[front].object].ends;
+    return m_arcs[arc].is_straight() && std::any_of(ends.begin(), ends.end(), [&](const Arc_end& end) { return is_on_ray_of(m_arcs[arc], end); });
+  }
+
+private:
+  // Whether a straight arc lies on the line of another one, on the same side of an end of that.
+  bool is_on_ray_of(const Site_arc_2& arc, const Arc_end& end) const
+  {
+    const Site_arc_2& segment = m_arcs[end.arc];
+    if (!segment.is_straight() || !segment.is_on_line_or_circle(arc.at(0)) || !segment.is_on_line_or_circle(arc.at(1)))
+      return false;
+    const Exact_pair p = segment.at(end.is_end), q = arc.at(Exact_rational(1) / 2);
+    return sign_of(exact_dot(direction(end), Exact_pair{Exact_rational(q[0] - p[0]), Exact_rational(q[1] - p[1])})) > 0;
+  }
+
+  // By directions, and by germs where these are equal. Returns whether there is one order.
+  bool order_ends(Vertex& vertex) const
+  {
+    const auto is_before = [&](const Arc_end& a, const Arc_end& b) {
+      const Exact_pair &p = direction(a), &q = direction(b);
+      if (half_of_directions(p) != half_of_directions(q))
+        return half_of_directions(p) < half_of_directions(q);
+      const int turn = sign_of(exact_cross(p, q));
+      return turn != 0 ? turn > 0 : is_germ_before(a, b);
+    };
+    std::stable_sort(vertex.ends.begin(), vertex.ends.end(), is_before);
+    return std::adjacent_find(vertex.ends.begin(), vertex.ends.end(), [&](const Arc_end& a, const Arc_end& b) { return !is_before(a, b); }) == vertex.ends.end();
+  }
+
+  // Of arcs that leave a vertex in one direction. Others than pieces of one curve have no more coefficients in common than their degrees allow.
+  bool is_germ_before(const Arc_end& a, const Arc_end& b) const
+  {
+    if (!is_exact(a) || !is_exact(b))
+      return false;
+    const std::size_t order = static_cast<std::size_t>(m_arcs[a.arc].degree() * m_arcs[b.arc].degree()) + 1;
+    return Arc_germ(m_arcs[a.arc], a.is_end, order) < Arc_germ(m_arcs[b.arc], b.is_end, order);
+  }
+
+  // Whether the angles between successive arcs are the same for the ends of the arcs and those of their pieces: less than 180 degrees, or that because one curve passes.
+  bool is_order_proved(const Vertex& vertex) const
+  {
+    for (std::size_t i = 0; i < vertex.ends.size(); ++i) {
+      const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + 1) % vertex.ends.size()];
+      if (is_exact(a) && is_exact(b))
+        continue;
+      const auto way = [&](const Arc_end& end) { return Interval(end.is_end ? -1 : 1) * m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]; };
+      const bool is_one_curve = sign_of(exact_cross(direction(a), direction(b))) == 0 && a.is_end != b.is_end && (a.is_end ? b.arc == a.arc + 1 : a.arc == b.arc + 1);
+      if (!is_one_curve && certain_sign(dot(turned_left(way(a)), way(b))) <= 0)
+        return false;
+    }
+    return true;
+  }
+
+  void find_continuations(const Vertex& vertex)
+  {
+    for (const Arc_end& a : vertex.ends)
+      for (const Arc_end& b : vertex.ends) {
+        const Exact_pair p = direction(a), q = direction(b);
+        if (sign_of(exact_dot(p, q)) >= 0)
+          continue;
+        const Exact_pair s = m_arcs[a.arc].derivative_at(a.is_end), t = m_arcs[b.arc].derivative_at(b.is_end);
+        const std::size_t k = CGAL::abs(s[0]) < CGAL::abs(s[1]);
+        const int turn = sign_of(exact_cross(p, q));
+        const bool has_ratio = sign_of(s[k]) != 0 && sign_of(t[k]) != 0;
+        if (!has_ratio && is_regular(a) && is_regular(b))
+          continue;
+        const Exact_rational ratio = has_ratio ? CGAL::abs(Exact_rational(t[k] / s[k])) : Exact_rational(0);
+        if (turn == 0) {
+          const Smooth_continuation next{b, !has_ratio ? any_number<Interval>() : is_exact(a) && is_exact(b) ? interval_of<Interval>(ratio) : ratio_of_speeds(a, b, k)};
+          const bool goes_on = goes_on_as(vertex, a, b) && goes_on_as(vertex, b, a);
+          if (goes_on)
+            m_continuations[a.arc][a.is_end].only = next;
+          if (goes_on || (is_exact(a) && is_exact(b)))
+            m_continuations[a.arc][a.is_end].smooth.push_back(next);
+        } else if (has_ratio && vertex.ends.size() == 2 && is_small_turn(p, q))
+          m_continuations[a.arc][a.is_end].nearly_smooth = nearly_smooth_continuation(a, b, s, t, 1 / CGAL::to_double(ratio), turn > 0);
+      }
+  }
+
+  // Which of several opposite arcs goes on as another one: that next to it around the vertex; if there is one on each side, that of the same curve.
+  bool goes_on_as(const Vertex& vertex, const Arc_end& a, const Arc_end& b) const
+  {
+    const auto is_opposite = [&](const Arc_end& end) { return are_same_directions(direction(end), direction(b)); };
+    if (std::count_if(vertex.ends.begin(), vertex.ends.end(), is_opposite) == 1)
+      return true;
+    const Front left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
+    const Arc_end &next = next_around_vertex(left, a), &last = next_around_vertex(right, a);
+    return (b == next || b == last) && (!is_opposite(next) || !is_opposite(last) || (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
+  }
+
+  // Of absolute values.
+  Interval ratio_of_speeds(const Arc_end& a, const Arc_end& b, std::size_t coordinate) const
+  {
+    const auto speed = [&](const Arc_end& end) { return CGAL::sqrt(CGAL::square(m_arcs[end.arc].jet({end.parameter(), end.parameter()}, 1)[1][coordinate])); };
+    return speed(b) / speed(a);
+  }
+
+  // From the derivatives of both arcs.
+  static Nearly_smooth_continuation nearly_smooth_continuation(const Arc_end& a, const Arc_end& b, const Exact_pair& s, const Exact_pair& t, double scale, bool is_left_reflex)
+  {
+    const Exact_rational to_end(a.is_end ? 1 : -1), away(b.is_end ? -scale : scale);
+    const auto jump = [&](std::size_t k) { return interval_of<Interval>(Exact_rational(away * t[k] - to_end * s[k])); };
+    return {b, scale, {jump(0), jump(1)}, is_left_reflex};
+  }
+
+  static bool is_left_of_way_to(const Front& front, const Arc_end& end) { return end.is_end != front.is_reversed; }
+
+  // The front that is traversed away from an end of an arc, or toward it.
+  static std::size_t departing(const Arc_end& end) { return 2 * end.arc + end.is_end; }
+  static std::size_t arriving(const Arc_end& end) { return 2 * end.arc + !end.is_end; }
+
+  // Between the arcs a and b around a vertex, b clockwise from a, the traversal arrives along a and departs along b.
+  void connect_fronts(std::size_t v)
+  {
+    const Vertex& vertex = m_vertices[v];
+    const std::size_t n = vertex.ends.size();
+    if (n == 0) {
+      const std::array<Exact_pair, 4> axes{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
+      const std::size_t first = m_fronts.size();
+      for (std::size_t k = 0; k < 4; ++k)
+        add_fan(v, axes[k], axes[(k + 1) % 4]);
+      for (std::size_t k = 0; k < 4; ++k)
+        m_fronts[first + k].next = first + (k + 1) % 4;
+      return;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const Arc_end &a = vertex.ends[i], &b = vertex.ends[(i + n - 1) % n];
+      const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])}, to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
+      const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
+      std::size_t last = arriving(a);
+      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, with_length_of(n0, n1)); };
+      if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {   // the last case: all arcs leave in one direction
+        if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
+          const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
+          turn(from, middle);
+          turn(middle, to);
+        } else
+          turn(from, to);
+      }
+      m_fronts[last].next = departing(b);
+    }
+  }
+
+  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
+  {
+    Front fan{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
+    for (const Arc_end& end : m_vertices[vertex].ends)
+      for (std::size_t k = 0; k < 2; ++k)
+        if (sign_of(exact_dot(fan.exact_normals[k], direction(end))) == 0)
+          fan.perpendicular_ends[k].push_back(end);
+    m_fronts.push_back(std::move(fan));
+    m_vertices[vertex].fans.push_back(m_fronts.size() - 1);
+    return m_fronts.size() - 1;
+  }
+};
+
+using Site_graph_2 = Basic_site_graph_2<Interval>;
+
+inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
+{
+  std::vector<std::size_t> result(graph.fronts().size());
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
+} // namespace Voronoi
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_GRAPH_2_H

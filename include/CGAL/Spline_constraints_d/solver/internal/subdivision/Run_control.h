@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Spline_constraints_d authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
+#define CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
+
+#include <CGAL/Spline_constraints_d/solver/Solution_set_d.h>
+#include <CGAL/Spline_constraints_d/solver/Solver_options.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <utility>
+
+namespace CGAL {
+namespace Spline_constraints {
+namespace internal {
+
+/*
+What ends a run from outside, the clock and the visitor, for all threads of the run. The visitor is called by one of them at a time.
+*/
+class Run_control
+{
+  using Clock = std::chrono::steady_clock;
+
+  std::function<bool()> m_is_stopped;
+  std::function<void(double)> m_on_progress;
+  Clock::time_point m_start = Clock::now(), m_last_report = m_start;
+  double m_time_limit;
+  std::atomic<Undecided_reason> m_reason = Undecided_reason::NONE;
+  std::mutex m_mutex;
+  double m_done = 0;
+
+public:
+  template <class Visitor>
+  Run_control(Visitor& visitor, const Solver_options& options)
+    : m_is_stopped([&visitor] { return static_cast<bool>(visitor.stop()); }), m_on_progress([&visitor](double fraction) { visitor.on_progress(fraction); }),
+      m_time_limit(options.time_limit)
+  {}
+
+  // Why the run was stopped, if it was.
+  Undecided_reason reason() const { return m_reason.load(std::memory_order_relaxed); }
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  void add_progress(double share)
+  {
+    if (share > 0) {
+      const std::lock_guard lock(m_mutex);
+      m_done = (std::min)(m_done + share, 1.0);
+    }
+  }
+
+  // `is_asked`: looks at the clock and asks the visitor, which is not done for every node.
+  bool must_stop(bool is_asked)
+  {
+    if (is_asked && reason() == Undecided_reason::NONE)
+      ask();
+    return reason() != Undecided_reason::NONE;
+  }
+
+private:
+  void ask()
+  {
+    const std::lock_guard lock(m_mutex);
+    const Clock::time_point now = Clock::now();
+    if (m_time_limit > 0 && now - m_start >= std::chrono::duration<double>(m_time_limit))
+      m_reason = Undecided_reason::TIME;
+    else if (m_is_stopped())
+      m_reason = Undecided_reason::STOPPED;
+    else if (now - m_last_report > std::chrono::milliseconds(50)) {
+      m_last_report = now;
+      m_on_progress(m_done);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Spline_constraints
+} // namespace CGAL
+
+#endif // CGAL_SPLINE_CONSTRAINTS_D_SOLVER_INTERNAL_SUBDIVISION_RUN_CONTROL_H
