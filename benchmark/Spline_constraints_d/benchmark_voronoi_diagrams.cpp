@@ -112,7 +112,7 @@ std::vector<Curve> random_scene(unsigned seed, std::size_t count, bool are_cross
 }
 
 // V - E + F = 1 + C on the sphere, where infinity is one vertex, the last one here.
-bool satisfies_euler(const SC::Voronoi_diagram_2<K>& diagram)
+bool satisfies_euler(const SC::Voronoi_diagram_of_curves_2<K>& diagram)
 {
   const std::size_t infinity = diagram.vertices().size();
   const auto vertex = [&](std::size_t i) { return diagram.vertices()[i].is_at_infinity ? infinity : i; };

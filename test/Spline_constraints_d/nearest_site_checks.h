@@ -33,7 +33,7 @@ namespace SC = CGAL::Spline_constraints;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Curve = SC::Bspline_curve_2<Kernel>;
-using Diagram = SC::Voronoi_diagram_2<Kernel>;
+using Diagram = SC::Voronoi_diagram_of_curves_2<Kernel>;
 
 struct Scene
 {

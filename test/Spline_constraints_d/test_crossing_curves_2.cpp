@@ -84,7 +84,7 @@ TEST(CrossingCurves, Segments)
   EXPECT_EQ(number_of_parts(diagram), 4U);
 }
 
-// A segment that ends on another one: the contacts of the disks on its sides run up to the end of the other one, and beyond.
+// A segment that ends on another one: the footpoints of the disks on its sides run up to the end of the other one, and beyond.
 TEST(CrossingCurves, EndOnASegment)
 {
   const Curves segments{bezier({P(0, 0), P(4, 0)}), bezier({P(2, 0), P(2, 3)})};
@@ -166,7 +166,7 @@ TEST(CrossingCurves, TouchingCircles)
   EXPECT_GE(edges, 2U);
 }
 
-// A circle on a line, which ends elsewhere on both sides; a parabola on its tangent, which has a tip of the diagram over the contact; a rounded corner that leaves a segment; ends with one tangent, on one side of it or on both, also with the same curvature, where the third derivatives differ.
+// A circle on a line, which ends elsewhere on both sides; a parabola on its tangent, which has a tip of the diagram over the footpoint; a rounded corner that leaves a segment; ends with one tangent, on one side of it or on both, also with the same curvature, where the third derivatives differ.
 TEST(CrossingCurves, TouchingArcs)
 {
   const Curve line = bezier({P(-1, 0), P(1, 0)}), fillet = bezier({P(0, 0), P(0.5, 0), P(0.5, 0.5)});
@@ -230,12 +230,12 @@ TEST(CrossingCurves, LensBelowTheLastPlace)
   const SC::internal::Voronoi::Site_tree_2 tree(*graph);
   const SC::internal::Voronoi::Cusps_2 cusps = SC::internal::Voronoi::Cusp_finder_2(*graph, tree)();
   const SC::internal::Voronoi::Fine_level fine(*graph);
-  for (const auto& [front, touched] : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 3}}) {   // the right side of the segment in the lens, and the left one behind it
-    const auto stretches = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine)(front);
-    ASSERT_EQ(stretches.size(), 1U);
-    EXPECT_EQ(stretches[0].contact.index, touched);
-    EXPECT_TRUE(stretches[0].range.begin == 0 && stretches[0].range.end == 1);
-    EXPECT_EQ(stretches[0].events, (std::array{SC::internal::Voronoi::Disk_event::NONE, SC::internal::Voronoi::Disk_event::NONE}));
+  for (const auto& [element, touched] : {std::pair<std::size_t, std::size_t>{1, 2}, {2, 3}}) {   // the right side of the segment in the lens, and the left one behind it
+    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine)(element);
+    ASSERT_EQ(envelope_arcs.size(), 1U);
+    EXPECT_EQ(envelope_arcs[0].footpoint.index, touched);
+    EXPECT_TRUE(envelope_arcs[0].range.begin == 0 && envelope_arcs[0].range.end == 1);
+    EXPECT_EQ(envelope_arcs[0].events, (std::array{SC::internal::Voronoi::Disk_event::NONE, SC::internal::Voronoi::Disk_event::NONE}));
   }
 }
 
@@ -286,14 +286,14 @@ TEST(CrossingCurves, FacesBehindArcs)
   const auto lens = graph_of({bezier({P(0, 0), P(4, 0)}), bezier({P(0, 0), P(2, -1), P(4, 1)})});   // arcs 0 and 2 around the lens, from (0,0) to (8/3,0)
   const SC::internal::Voronoi::Separate_faces beside_lens(*lens, false);
   const SC::internal::Voronoi::Disk_curvature curvature(*lens);
-  const auto is_left_out = [&](std::size_t front, const SC::internal::Common::Range& part, std::size_t arc, const SC::internal::Common::Range& range) {
-    return beside_lens.hold(curvature, curvature.part(front, part), curvature.part(front, {part.middle(), part.middle()}), candidate(*lens, arc, range));
+  const auto is_left_out = [&](std::size_t element, const SC::internal::Common::Range& part, std::size_t arc, const SC::internal::Common::Range& range) {
+    return beside_lens.hold(curvature, curvature.part(element, part), curvature.part(element, {part.middle(), part.middle()}), candidate(*lens, arc, range));
   };
   for (const SC::internal::Common::Range& range : {SC::internal::Common::Range{0, 0.25}, {0.25, 0.5}, {0.5, 0.75}, {0.96875, 1}}) {
     EXPECT_TRUE(is_left_out(6, {0.3, 0.31}, 2, range)) << range.begin;   // from above, behind the segment
     EXPECT_FALSE(is_left_out(6, {0.3, 0.31}, 0, range));                 // the segment before
     EXPECT_FALSE(is_left_out(1, {0.3, 0.31}, 2, range));                 // from the lens
-    EXPECT_FALSE(is_left_out(3, {0.3, 0.31}, 0, range));                 // on the line of the front: not certain
+    EXPECT_FALSE(is_left_out(3, {0.3, 0.31}, 0, range));                 // on the line of the element: not certain
   }
   EXPECT_FALSE(is_left_out(3, {0.3, 0.31}, 2, {0.5, 0.75}));   // from below
 }

@@ -34,7 +34,7 @@ Exact_curves drawn(const std::string& path)
 }
 
 // The centers of disks on all edges.
-std::vector<P> centers(const SC::Voronoi_diagram_2<Exact>& diagram)
+std::vector<P> centers(const SC::Voronoi_diagram_of_curves_2<Exact>& diagram)
 {
   std::vector<P> result;
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)

@@ -9,10 +9,10 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Disk_reach.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Maximal_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/diagram/Nearest_sites_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Stretch_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Envelope_arc_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/site_graphs_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/medial_axis_2.h>
 #include <CGAL/Spline_constraints_d/operations/regions/planar_regions_2.h>
@@ -200,7 +200,7 @@ TEST(FineLevel, RoundedEllipse)
   expect_empty_disks(diagram, curves, 0.05, 20);
 }
 
-// Stretches of fronts, of each fourth one, follow each other, up to ranges that hold an event, or are said to be unresolved.
+// Envelope arcs of elements, of each fourth one, follow each other, up to ranges that hold an event, or are said to be unresolved.
 void expect_nothing_left_out(const Curves& curves)
 {
   using SC::internal::Voronoi::Disk_event;
@@ -210,22 +210,22 @@ void expect_nothing_left_out(const Curves& curves)
   const SC::internal::Voronoi::Site_tree_2 tree(*graph);
   const SC::internal::Voronoi::Cusps_2 cusps = SC::internal::Voronoi::Cusp_finder_2(*graph, tree)();
   const SC::internal::Voronoi::Fine_level fine_level(*graph);
-  for (std::size_t f = 0; f < graph->fronts().size(); f += 4) {
+  for (std::size_t f = 0; f < graph->elements().size(); f += 4) {
     SCOPED_TRACE(f);
-    const auto stretches = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
-    ASSERT_FALSE(stretches.empty());
-    EXPECT_TRUE(stretches.front().range.begin == 0 || stretches.front().events[0] == Disk_event::UNRESOLVED);
-    EXPECT_TRUE(stretches.back().range.end == 1 || stretches.back().events[1] == Disk_event::UNRESOLVED);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const auto& boxes = stretches[i].boxes;
+    const auto envelope_arcs = SC::internal::Voronoi::Maximal_disks(*graph, tree, cusps, &fine_level)(f);
+    ASSERT_FALSE(envelope_arcs.empty());
+    EXPECT_TRUE(envelope_arcs.front().range.begin == 0 || envelope_arcs.front().events[0] == Disk_event::UNRESOLVED);
+    EXPECT_TRUE(envelope_arcs.back().range.end == 1 || envelope_arcs.back().events[1] == Disk_event::UNRESOLVED);
+    for (std::size_t i = 0; i < envelope_arcs.size(); ++i) {
+      const auto& boxes = envelope_arcs[i].boxes;
       for (std::size_t k = 1; k < boxes.size(); ++k)
         EXPECT_EQ(boxes[k - 1].first.end, boxes[k].first.begin);
-      EXPECT_EQ(boxes.front().first.begin, stretches[i].range.begin);
-      EXPECT_EQ(boxes.back().first.end, stretches[i].range.end);
+      EXPECT_EQ(boxes.front().first.begin, envelope_arcs[i].range.begin);
+      EXPECT_EQ(boxes.back().first.end, envelope_arcs[i].range.end);
       if (i > 0) {
-        const Disk_event event = stretches[i].events[0];
-        const double gap = stretches[i].range.begin - stretches[i - 1].range.end;
-        EXPECT_EQ(stretches[i - 1].events[1], event);
+        const Disk_event event = envelope_arcs[i].events[0];
+        const double gap = envelope_arcs[i].range.begin - envelope_arcs[i - 1].range.end;
+        EXPECT_EQ(envelope_arcs[i - 1].events[1], event);
         EXPECT_TRUE(event == Disk_event::UNRESOLVED || (event != Disk_event::NONE && 0 <= gap && gap <= widest_event));
       }
     }
@@ -238,7 +238,7 @@ TEST(FineLevel, SweepsLeaveNothingOut)
   expect_nothing_left_out(rounded_ellipse(0.33, 2, 0x1p-60));
 }
 
-// Over random parts of the fronts of cubics, disks that touch a segment or a circle, from both sides: their curvature is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over parts hold those of points.
+// Over random parts of the elements of cubics, disks that touch a segment or a circle, from both sides: their curvature is the greatest one along the arc, in points, and its derivatives are those of difference quotients; expansions over parts hold those of points.
 template <SC::internal::Common::Enclosing_number Interval>
 void expect_expansions_of_tangent_disks()
 {
@@ -250,13 +250,13 @@ void expect_expansions_of_tangent_disks()
   std::mt19937 random(1);
   std::array<std::size_t, 2> found{0, 0};   // on the segment, and on circles
   for (int i = 0; i < 2000; ++i) {
-    const std::size_t f = random() % graph.fronts().size(), arc = random() % graph.arcs().size();
+    const std::size_t f = random() % graph.elements().size(), arc = random() % graph.arcs().size();
     const double width = std::exp2(-2 - std::uniform_real_distribution<double>(0, 20)(random)), begin = std::uniform_real_distribution<double>(0, 1 - width)(random);
     const auto part_over = [&](const Range& range) { return curvature.part(f, range); };
-    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Voronoi::Disk_contact::Kind::ARC, arc}); };
+    const auto disks_over = [&](const Range& range) { return tangent_disks(graph, curvature, part_over(range), {SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc}); };
     const Range range{begin, begin + width};
     const auto disks = disks_over(range);
-    if (graph.fronts()[f].is_fan || graph.fronts()[f].object == arc || !disks)
+    if (graph.elements()[f].is_normal_cone || graph.elements()[f].object == arc || !disks)
       continue;
     const Interval shift = SC::internal::Common::interval_of<Interval>(range) - Interval(range.middle());
     const double u = range.begin + std::uniform_real_distribution<double>(0, 1)(random) * width, step = 1e-4 * width;
@@ -264,7 +264,7 @@ void expect_expansions_of_tangent_disks()
     ASSERT_TRUE(there && before && behind);
     EXPECT_TRUE(meet(there->value(), disks->value()) && meet(there->value(), disks->expansion().value(shift)));
     EXPECT_TRUE(meet(there->expansion().slope, disks->expansion().derivative(shift)) && meet(there->expansion().second_derivative, disks->expansion().second_derivative));
-    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Voronoi::Disk_contact::Kind::ARC, arc}, {0, 1}});
+    const auto greatest = largest_curvature(graph, curvature, part_over({u, u}), {{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, arc}, {0, 1}});
     EXPECT_TRUE(meet(greatest.curvature, there->value()));
     EXPECT_LT(there->value().sup() - there->value().inf(), 1e-9 * there->value().sup());
     const double quotient = (behind->value() - before->value()).sup() / (2 * step), rounding = (there->value().sup() - there->value().inf()) / step, size = std::abs(disks->expansion().slope.inf()) + std::abs(disks->expansion().slope.sup());
@@ -297,18 +297,18 @@ TEST(FineLevel, DisksInAThinCorner)
     const SC::Upward_rounding_guard guard;
     const SC::internal::Voronoi::Fine_level fine_level(*graph);
     const SC::internal::Voronoi::Disk_curvature curvature(*graph);
-    const SC::internal::Voronoi::Stretch_disks disks(*graph, curvature, fine_level);
-    const auto& fronts = graph->fronts();
-    const auto left = static_cast<std::size_t>(std::find_if(fronts.begin(), fronts.end(), [](const auto& front) { return !front.is_fan && !front.is_reversed && front.object == 0; }) - fronts.begin());
-    ASSERT_LT(left, fronts.size());
+    const SC::internal::Voronoi::Envelope_arc_disks disks(*graph, curvature, fine_level);
+    const auto& elements = graph->elements();
+    const auto left = static_cast<std::size_t>(std::find_if(elements.begin(), elements.end(), [](const auto& element) { return !element.is_normal_cone && !element.is_reversed && element.object == 0; }) - elements.begin());
+    ASSERT_LT(left, elements.size());
     const double u = 0x1p-50;
-    const SC::internal::Voronoi::Located_contact contact{{SC::internal::Voronoi::Disk_contact::Kind::ARC, 1}, {0, 4 * u}};
-    const SC::internal::Voronoi::Disk_stretch stretch{contact.contact, {0, 1}, {}, {{{0, 1}, contact}}};
-    ASSERT_FALSE(std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), contact).curvature.sup()));
+    const SC::internal::Voronoi::Located_footpoint footpoint{{SC::internal::Voronoi::Disk_footpoint::Kind::ARC, 1}, {0, 4 * u}};
+    const SC::internal::Voronoi::Envelope_arc envelope_arc{footpoint.footpoint, {0, 1}, {}, {{{0, 1}, footpoint}}};
+    ASSERT_FALSE(std::isfinite(largest_curvature(*graph, curvature, curvature.part(left, {u, u}), footpoint).curvature.sup()));
 
-    const Exact_pair x = graph->exact_point_at(fronts[left], u), y = graph->arcs()[1].at(u), n = graph->exact_normal(fronts[left], u), chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
+    const Exact_pair x = graph->exact_point_at(elements[left], u), y = graph->arcs()[1].at(u), n = graph->exact_normal(elements[left], u), chord{Exact_rational(y[0] - x[0]), Exact_rational(y[1] - x[1])};
     const double through_other = CGAL::to_double(Exact_rational(2 * SC::internal::exact_dot(n, chord) / SC::internal::exact_dot(chord, chord)));
-    const auto disk = disks.estimated(left, stretch, u);
+    const auto disk = disks.estimated(left, envelope_arc, u);
     EXPECT_GT(disk.curvature.inf(), through_other * (1 - 1e-9)) << "height " << height;
     EXPECT_TRUE(std::isfinite(disk.curvature.sup()));
     EXPECT_GE(disk.curvature.sup(), disk.bounds.inf());

@@ -20,7 +20,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using P = K::Point_2;
 using Curve = SC::Bspline_curve_2<K>;
 using Curves = std::vector<Curve>;
-using Axis = SC::Voronoi_diagram_2<K>;
+using Axis = SC::Voronoi_diagram_of_curves_2<K>;
 
 Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
 

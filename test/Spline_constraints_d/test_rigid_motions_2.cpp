@@ -34,7 +34,7 @@ using K = CGAL::Simple_cartesian<R>;
 using P = K::Point_2;
 using Curve = SC::Bspline_curve_2<K>;
 using Curves = std::vector<Curve>;
-using Diagram = SC::Voronoi_diagram_2<K>;
+using Diagram = SC::Voronoi_diagram_of_curves_2<K>;
 using Range = std::pair<R, R>;
 
 struct Motion

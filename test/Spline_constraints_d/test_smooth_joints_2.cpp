@@ -85,7 +85,7 @@ TEST(SmoothJoints, Stadium)
   expect_empty_disks(diagram, curves);
 }
 
-// Arcs with a common tangent and any curvatures: the contact leaves a joint as the square root of the distance from it.
+// Arcs with a common tangent and any curvatures: the footpoint leaves a joint as the square root of the distance from it.
 TEST(SmoothJoints, Drop)
 {
   const Curves curves{bezier({P(0, 0), P(3, 0), P(5, 2), P(5, 4)}), bezier({P(5, 4), P(5, 6), P(3, 7), P(0, 7)}), bezier({P(0, 7), P(-3, 7), P(-4, 5), P(-4, 3.5)}), bezier({P(-4, 3.5), P(-4, 1), P(-2, 0), P(0, 0)})};
@@ -182,7 +182,7 @@ TEST(CommonDisks, PointsOfACircle)
   expect_euler(diagram);
 }
 
-// Four squares: one vertex in each, and one between all of them. Contacts change from sides to corners where the front ends.
+// Four squares: one vertex in each, and one between all of them. Footpoints change from sides to corners where the element ends.
 TEST(CommonDisks, AlignedSquares)
 {
   Curves curves;
@@ -231,11 +231,11 @@ TEST(SmoothJoints, CurvaturesBesideAJoint)
   const internal::Voronoi::Disk_curvature curvature(*graph);
   std::size_t compared = 0;
   std::mt19937 random(1);
-  for (std::size_t f = 0; f < graph->fronts().size(); ++f) {
-    const internal::Voronoi::Front& front = graph->fronts()[f];
-    if (front.is_fan)
+  for (std::size_t f = 0; f < graph->elements().size(); ++f) {
+    const internal::Voronoi::Oriented_element& element = graph->elements()[f];
+    if (element.is_normal_cone)
       continue;
-    const auto& next = graph->continuation({front.object, true});
+    const auto& next = graph->continuation({element.object, true});
     if (!next || next->end.is_end)
       continue;
     for (const double b : {0x1p-6, 0x1p-12, 0x1p-18}) {

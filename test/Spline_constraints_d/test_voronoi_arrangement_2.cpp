@@ -138,7 +138,7 @@ TEST(VoronoiArrangement, NearestPointByPointLocation)
 }
 
 // The disk around a sample touches both sites of an edge of the diagram, at the parameters of the sample.
-void expect_feet(const SC::Voronoi_diagram_2<K>& diagram, const Curves& curves, std::size_t edge, const SC::Voronoi_sample_2<K>& sample)
+void expect_feet(const SC::Voronoi_diagram_of_curves_2<K>& diagram, const Curves& curves, std::size_t edge, const SC::Voronoi_sample_2<K>& sample)
 {
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& site = diagram.sites()[diagram.edges()[edge].sites[side]];

@@ -75,10 +75,10 @@ TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
     points.emplace_back(coordinate(random), coordinate(random));
   const Diagram of_points = SC::voronoi_diagram(Curves(), points);
   using Exact_point = CGAL::Point_2<CGAL::Simple_cartesian<SC::Exact_rational>>;
-  const auto exact = [&](const auto& contact) { return Exact_point(of_points.sites()[contact.site].point.x(), of_points.sites()[contact.site].point.y()); };
+  const auto exact = [&](const auto& footpoint) { return Exact_point(of_points.sites()[footpoint.site].point.x(), of_points.sites()[footpoint.site].point.y()); };
   for (const auto& vertex : of_points.vertices())
     if (!vertex.is_at_infinity) {
-      const Exact_point p = exact(vertex.contacts[0]), center = CGAL::circumcenter(p, exact(vertex.contacts[1]), exact(vertex.contacts[2]));
+      const Exact_point p = exact(vertex.footpoints[0]), center = CGAL::circumcenter(p, exact(vertex.footpoints[1]), exact(vertex.footpoints[2]));
       EXPECT_TRUE(is_proved_to_be(vertex, center.x(), center.y(), CGAL::squared_distance(p, center))) << vertex.point;
     }
   EXPECT_GT(of_points.vertices().size(), 50U);
@@ -95,13 +95,13 @@ TEST(VoronoiDiagrams, VerticesHaveProvedBounds)
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(-1, 1), P(0, -1), P(1, 1)})}), 0, half, quarter));
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)})}), 0, half, quarter));
   EXPECT_TRUE(has_vertex(SC::voronoi_diagram(Curves{bezier({P(0, 0), P(0.5, 0), P(1, 1)}), bezier({P(0, 0), P(-1, 0), P(-2, 2)})}), 0, half, quarter));
-  // Contacts: the disk of radius 3/2 around (0, 5/2) touches y = x^2 in x = -sqrt(2) and sqrt(2), and y = 4 in x = 0.
+  // Footpoints: the disk of radius 3/2 around (0, 5/2) touches y = x^2 in x = -sqrt(2) and sqrt(2), and y = 4 in x = 0.
   const Diagram segment = SC::voronoi_diagram(Curves{bezier({P(-2, 4), P(0, -4), P(2, 4)}), bezier({P(-2, 4), P(2, 4)})});
   for (const auto& vertex : segment.vertices())
     if (is_proved_to_be(vertex, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)))
-      for (const auto& contact : vertex.contacts) {
-        const SC::Exact_rational low = 4 * SC::Exact_rational(contact.parameter_bounds[0]) - 2, high = 4 * SC::Exact_rational(contact.parameter_bounds[1]) - 2;
-        EXPECT_TRUE(contact.site == 0 ? (low * low - 2) * (high * high - 2) <= 0 : low * high <= 0);
+      for (const auto& footpoint : vertex.footpoints) {
+        const SC::Exact_rational low = 4 * SC::Exact_rational(footpoint.parameter_bounds[0]) - 2, high = 4 * SC::Exact_rational(footpoint.parameter_bounds[1]) - 2;
+        EXPECT_TRUE(footpoint.site == 0 ? (low * low - 2) * (high * high - 2) <= 0 : low * high <= 0);
         EXPECT_LT(high - low, 1e-9);
       }
   EXPECT_TRUE(has_vertex(segment, 0, SC::Exact_rational(5, 2), SC::Exact_rational(9, 4)));
@@ -166,7 +166,7 @@ TEST(VoronoiDiagrams, Triangle)
   expect_empty_disks(diagram, sides);
 }
 
-// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis, or the end of a segment at a right angle: there a fan of normals, an arc or a side ends and the next one begins.
+// Vertices whose disks touch a point, or the quarter of a circle, in the direction of an axis, or the end of a segment at a right angle: there a normal cone of normals, an arc or a side ends and the next one begins.
 TEST(VoronoiDiagrams, VerticesWhereContactsGoOver)
 {
   const auto circle = [](double x, double y, double radius = 1) { return SC::circle_curve(P(x, y), radius); };
@@ -320,7 +320,7 @@ TEST(VoronoiDiagrams, TwoCubics)
   expect_empty_disks(diagram, curves);
 }
 
-// Its narrow turn is nearest to the begin on the side that does not come next around the begin, while the other side has the begin as a contact, too.
+// Its narrow turn is nearest to the begin on the side that does not come next around the begin, while the other side has the begin as a footpoint, too.
 TEST(VoronoiDiagrams, CubicWithANarrowTurn)
 {
   const Curves curves{bezier({P(1.1604, 2.6275), P(1.4585, 2.1156), P(1.72, 2.7627), P(1.71, 2.741)})};

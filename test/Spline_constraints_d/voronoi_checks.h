@@ -23,7 +23,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using P = K::Point_2;
 using Curve = SC::Bspline_curve_2<K>;
 using Curves = std::vector<Curve>;
-using Diagram = SC::Voronoi_diagram_2<K>;
+using Diagram = SC::Voronoi_diagram_of_curves_2<K>;
 
 inline Curve bezier(const std::vector<P>& points) { return SC::bezier_curve(points); }
 
@@ -38,7 +38,7 @@ P rounded(const Point& p)
 
 // The number of connected components, with all vertices at infinity in one.
 template <class Kernel>
-std::size_t components(const SC::Voronoi_diagram_2<Kernel>& diagram)
+std::size_t components(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   std::vector<std::size_t> parent(diagram.vertices().size() + 1);
   std::iota(parent.begin(), parent.end(), 0);
@@ -60,7 +60,7 @@ std::size_t components(const SC::Voronoi_diagram_2<Kernel>& diagram)
 
 // V - E + F = 1 + C on the sphere, where infinity is one vertex.
 template <class Kernel>
-void expect_euler(const SC::Voronoi_diagram_2<Kernel>& diagram)
+void expect_euler(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   const auto far = std::count_if(diagram.vertices().begin(), diagram.vertices().end(), [](const auto& v) { return v.is_at_infinity; });
   const bool has_far = far > 0;
@@ -76,7 +76,7 @@ struct Counts
 };
 
 template <class Kernel>
-Counts counts(const SC::Voronoi_diagram_2<Kernel>& diagram)
+Counts counts(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   Counts result;
   for (const auto& vertex : diagram.vertices())
@@ -87,7 +87,7 @@ Counts counts(const SC::Voronoi_diagram_2<Kernel>& diagram)
 
 // The bounds of every vertex that is resolved are narrow, and hold what is rounded.
 template <class Kernel>
-void expect_vertex_bounds(const SC::Voronoi_diagram_2<Kernel>& diagram)
+void expect_vertex_bounds(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   for (const auto& vertex : diagram.vertices()) {
     const bool is_proved = vertex.is_resolved && !vertex.is_at_infinity;
@@ -108,7 +108,7 @@ void expect_vertex_bounds(const SC::Voronoi_diagram_2<Kernel>& diagram)
 
 // Every sample has its radius as the distance from both sites, with bounds as narrow as those of vertices, and nothing is nearer than that: not even one of many points on all curves.
 template <class Kernel>
-void expect_empty_disks(const SC::Voronoi_diagram_2<Kernel>& diagram, const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01, double most_radius = 100)
+void expect_empty_disks(const SC::Voronoi_diagram_of_curves_2<Kernel>& diagram, const std::vector<SC::Bspline_curve_2<Kernel>>& curves, double error = 0.01, double most_radius = 100)
 {
   std::vector<P> points;
   for (const auto& site : diagram.sites()) {

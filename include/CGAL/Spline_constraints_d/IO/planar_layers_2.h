@@ -29,7 +29,7 @@ template <SplineKernel Kernel> class Trimmed_alpha_sector_2;
 template <SplineKernel Kernel> class Trimmed_bisector_2;
 template <SplineKernel Kernel> class Trimmed_offset_2;
 template <SplineKernel Kernel> class Visible_part_2;
-template <SplineKernel Kernel> class Voronoi_diagram_2;
+template <SplineKernel Kernel> class Voronoi_diagram_of_curves_2;
 
 /*!
 \ingroup PkgSplineConstraintsDIO
@@ -141,7 +141,7 @@ what planar operations return, as layers of polygons, polylines and points, to b
 Complexity: linear in the number of points.
 */
 template <SplineKernel Kernel>
-Planar_layers_2<Kernel> planar_layers(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
+Planar_layers_2<Kernel> planar_layers(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
 {
   internal::Planar_layer_collector<Kernel> collector{{"edges", internal::color_of_curves}, {"vertices", internal::color_of_curves}};
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)

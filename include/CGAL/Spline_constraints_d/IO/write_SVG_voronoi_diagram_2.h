@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/IO/write_SVG.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
 
 #include <array>
 #include <cstddef>
@@ -31,7 +31,7 @@ Edges are drawn up to a quarter of a pixel, and as far as the radius of their di
 Complexity: linear in the number of points that are drawn.
 */
 template <SplineKernel Kernel>
-void draw(SVG_writer& picture, const Voronoi_diagram_2<Kernel>& diagram, const std::vector<Bspline_curve_2<Kernel>>& curves)
+void draw(SVG_writer& picture, const Voronoi_diagram_of_curves_2<Kernel>& diagram, const std::vector<Bspline_curve_2<Kernel>>& curves)
 {
   constexpr std::array<const char*, 7> colors{"#eeeeee", "#aec7e8", "#ffbb78", "#98df8a", "#ff9896", "#c5b0d5", "#f7d7a0"};
   constexpr std::size_t no_curve = (std::numeric_limits<std::size_t>::max)();
@@ -79,7 +79,7 @@ draws the Voronoi diagram or medial axis of curves, with a margin of a thirtieth
 \throws Invalid_input when there are no curves, or they are all one point.
 */
 template <SplineKernel Kernel>
-void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves, const Voronoi_diagram_2<Kernel>& diagram)
+void write_SVG(std::ostream& out, const std::vector<Bspline_curve_2<Kernel>>& curves, const Voronoi_diagram_of_curves_2<Kernel>& diagram)
 {
   SVG_writer picture(out, curves, 700);
   draw(picture, diagram, curves);

@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ class Bitangent_finder
   using Joint = Region;
 
   const std::array<const Planar_map*, 2> m_curves;
-  Summing_solver m_solve;
+  Budgeted_solver m_solve;
   Bitangents_2<Kernel> m_result;
 
 public:

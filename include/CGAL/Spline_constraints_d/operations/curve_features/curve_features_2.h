@@ -113,7 +113,7 @@ namespace internal {
 namespace Curve_features {
 
 // Whether the derivative of the curve is zero at the only zero in the range of an event.
-inline bool is_singular(const std::vector<Differentiated_map>& pieces, const Sign_event& event, Summing_solver& solve)
+inline bool is_singular(const std::vector<Differentiated_map>& pieces, const Sign_event& event, Budgeted_solver& solve)
 {
   for (const Differentiated_map& piece : pieces) {
     const Exact_rational lower = (std::max)(event.range.first, piece.begin()), upper = (std::min)(event.range.second, piece.end());
@@ -143,7 +143,7 @@ inline Curve_feature_kind kind_of_inflection(const Sign_event& event)
 // The features that the signs of a formula of the curvature make.
 template <class Kernel, class Kind>
 Curve_features_2<Kernel> curvature_features(const Planar_map& curve, const std::vector<Differentiated_map>& pieces, const Sign_sequence& signs, const Kind& kind_of_event,
-                                            Summing_solver& solve)
+                                            Budgeted_solver& solve)
 {
   Curve_features_2<Kernel> result;
   for (const Sign_event& event : signs.events()) {
@@ -189,13 +189,13 @@ class Height_comparison
   const std::vector<Differentiated_map>& m_pieces;
   Exact_pair m_direction;
   Bspline_function<Exact_rational> m_height, m_weight;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
   std::vector<Candidate> m_candidates;
 
 public:
   template <class Curve>
   Height_comparison(const Curve& curve, const std::vector<Differentiated_map>& pieces, const Exact_pair& direction, const std::vector<Sign_event>& events,
-                    Summing_solver& solve)
+                    Budgeted_solver& solve)
     : m_pieces(pieces), m_direction(direction), m_height(curve.homogeneous_coordinates()[0] * direction[0] + curve.homogeneous_coordinates()[1] * direction[1]),
       m_weight(curve.weight()), m_solve(solve)
   {
@@ -341,7 +341,7 @@ Complexity: one system in one unknown per polynomial piece, of degree \f$2d-4\f$
 template <ParametricCurve_2 Curve>
 Curve_features_2<typename Curve::Kernel> inflections(const Curve& curve, const Solver_options& options = {})
 {
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   const internal::Planar_map map(curve);
   const auto pieces = internal::polynomial_pieces(map, 2);
   const auto turn = [](const internal::Differentiated_map& c, const Unknown& u) { return cross(c(1, u), c(2, u)); };
@@ -367,7 +367,7 @@ Complexity: one system in one unknown per piece, and one per zero.
 template <ParametricCurve_2 Curve>
 Curve_features_2<typename Curve::Kernel> curvature_extremes(const Curve& curve, const Solver_options& options = {})
 {
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   const internal::Planar_map map(curve);
   const auto pieces = internal::polynomial_pieces(map, 3);
   const auto slope_of_curvature = [](const internal::Differentiated_map& c, const Unknown& u) {
@@ -398,7 +398,7 @@ Curve_features_2<typename Curve::Kernel> extreme_points(const Curve& curve, cons
   const internal::Exact_pair d{internal::converted_number<Exact_rational>(direction.x()), internal::converted_number<Exact_rational>(direction.y())};
   if (d == internal::Exact_pair{0, 0})
     throw Invalid_input("extreme_points: the direction is zero");
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   const internal::Planar_map map(curve);
   const auto pieces = internal::polynomial_pieces(map, 1);
   const auto slope = [&](const internal::Differentiated_map& c, const Unknown& u) { return dot(c(1, u), Vector_expression<2>(d[0], d[1])); };

@@ -6,8 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/geometry/curves/Offset_curve_2.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Locus_system.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/Offset_self_intersection.h>
 
@@ -35,7 +35,7 @@ Complexity: one system in one unknown per polynomial piece, \f$r^2 (C' \times C'
 */
 inline Locus_intersections<2> cusps(const Offset_curve_2& offset, const Solver_options& options = {})
 {
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   const Exact_rational& r = offset.distance();
   const auto pieces = internal::polynomial_pieces(offset.curve(), 2);
   const bool is_closed = offset.curve().is_closed();
@@ -78,7 +78,7 @@ Complexity: a system of three equations in three unknowns, \f$u, v\f$ and \f$|C'
 */
 inline Locus_intersections<2> self_intersections(const Offset_curve_2& offset, const Solver_options& options = {})
 {
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   const std::vector<internal::Differentiated_map> curves = internal::polynomial_pieces(offset.curve(), 1);
   std::vector<internal::Loci::Offset_piece> pieces;
   for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -10,7 +10,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <array>
@@ -173,7 +173,7 @@ Ray_traps_2<typename Curve::Kernel> ray_traps(const std::vector<Curve>& curves, 
     mirrors.push_back(internal::Curve_features::mirrors(map));
     last.push_back(static_cast<int>(mirrors.back().size()) - 1);
   }
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   Ray_traps_2<typename Curve::Kernel> result;
   internal::for_each_index(last, [&](const std::vector<int>& choice) {
     std::vector<const internal::Curve_features::Mirror*> chosen;

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/geometry/curves/Point_on_spline.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/distances/internal/Circle_emptiness.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -134,7 +134,7 @@ class Tangent_circle_finder
   std::array<Planar_map, 3> m_curves;
   std::array<std::vector<Homogeneous_piece>, 3> m_pieces;
   Exact_rational m_scale;   // of the normal: the length of the domain
-  Summing_solver m_solve;
+  Budgeted_solver m_solve;
   Tangent_circles_2<Kernel> m_result;
 
 public:

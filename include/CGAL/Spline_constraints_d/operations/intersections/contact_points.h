@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_CONTACT_POINTS_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Contact_finder.h>
 
 #include <utility>
@@ -44,7 +44,7 @@ template <class A, class B>
 auto contact_points(const A& a, const B& b, const Solver_options& options = {})
 {
   using Kernel = typename internal::Common::Intersection_operand<A>::Kernel;
-  internal::Common::Summing_solver solve(options);
+  internal::Common::Budgeted_solver solve(options);
   std::vector<Intersection<Kernel, 3>> result;
   if (const auto pair = internal::Common::patch_pair(a, b))
     for (internal::Common::Common_point& point : internal::Intersections::Contact_finder(*pair, solve)())

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERSECTIONS_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Intersection_operand.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_along_surfaces.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -21,7 +21,7 @@ namespace Intersections {
 template <SplineKernel Kernel, int d>
 Spline_constraints::Intersections<Kernel, d> intersections_of(const Patch_pair<d>& pair, const Solver_options& options)
 {
-  Summing_solver solve(options);
+  Budgeted_solver solve(options);
   std::vector<Intersection<Kernel, d>> result;
   for (Common_point& point : common_points<d>(pair, solve))
     result.emplace_back(std::move(point), pair);

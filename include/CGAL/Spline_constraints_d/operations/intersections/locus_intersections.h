@@ -6,8 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/geometry/Locus_piece.h>
 #include <CGAL/Spline_constraints_d/geometry/Parametric_locus.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Locus_system.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -53,7 +53,7 @@ class Locus_intersector
   };
 
   std::vector<Operand> m_operands;
-  Summing_solver m_solve;
+  Budgeted_solver m_solve;
   std::vector<Intersection> m_result;
 
 public:

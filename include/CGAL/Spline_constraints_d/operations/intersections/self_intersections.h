@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_SELF_INTERSECTIONS_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_operand.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Self_intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -21,7 +21,7 @@ namespace Intersections {
 template <SplineKernel Kernel, int d>
 Spline_constraints::Intersections<Kernel, d> self_intersections_of(const Spline_patch<d>& curve, const Solver_options& options)
 {
-  Summing_solver solve(options);
+  Budgeted_solver solve(options);
   const Patch_pair<d> operands(curve, curve);
   std::vector<Intersection<Kernel, d>> result;
   for (Common_point& point : Self_intersection_finder<d>(curve, solve)())

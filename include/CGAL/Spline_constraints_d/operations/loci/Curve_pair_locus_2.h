@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection_curve.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Seam_joints.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_sample.h>

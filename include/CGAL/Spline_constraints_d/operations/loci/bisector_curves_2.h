@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_BISECTOR_CURVES_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/tangent_direction.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/Pair_of_parts.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -65,7 +65,7 @@ Curve_pair_locus_2<typename C1::Kernel> bisector_curves(const C1& c1, const C2& 
   using namespace internal;
   using namespace internal::Loci;
   Curve_pair_locus_2<typename C1::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_circle(pair); });
-  Summing_solver solve(options);
+  Budgeted_solver solve(options);
   visit_pairs_of_parts(parts_with_tangents(Planar_map(c1)), parts_with_tangents(Planar_map(c2)), [&](const Pair_of_parts& parts, const Unknown& u, const Unknown& v) {
     const Vector_expression<2> d = parts.first(0, u) - parts.second(0, v), a = parts.first(1, u), b = parts.second(1, v);
     const Solution_set_d<double> at_infinity = solve({determinant(a, b) == 0, determinant(a, d) == 0}, {u, v});

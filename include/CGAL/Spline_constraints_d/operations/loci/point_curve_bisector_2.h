@@ -9,7 +9,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -122,7 +122,7 @@ Point_curve_bisector_2 point_curve_bisector(const typename C::Kernel::Point_2& p
     throw Invalid_input("point_curve_bisector: the margin is not between 0 and 1/2");
   const Exact_pair q{converted_number<Exact_rational>(point.x()), converted_number<Exact_rational>(point.y())};
   const Point_curve_bisector bisector(q, c);
-  Summing_solver solve(options);
+  Budgeted_solver solve(options);
   Point_curve_bisector_2 result;
   const Planar_map curve(c);
   const std::vector<Exact_rational> breaks = bisector.breaks();

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_SELF_BISECTOR_CURVES_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_LOCI_SELF_BISECTOR_CURVES_2_H
 
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/loci/Curve_pair_locus_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/bisector_curves_2.h>
 #include <CGAL/Spline_constraints_d/operations/loci/internal/Pair_chart.h>
@@ -66,7 +66,7 @@ private:
 // Adds the curves of a chart.
 template <SplineKernel Kernel>
 void add_self_bisector(Curve_pair_locus_2<Kernel>& locus, const Differentiated_map& first, const Differentiated_map& second, const Pair_chart& chart, const Smooth_places& smooth, const Solver_options& options,
-                       Summing_solver& solve)
+                       Budgeted_solver& solve)
 {
   const auto [u, v] = parameters(first.map(), second.map());
   const Vector_expression<2> d = first(0, u) - second(0, v), a = first(1, u), b = second(1, v);
@@ -113,7 +113,7 @@ Curve_pair_locus_2<typename C::Kernel> self_bisector_curves(const C& c, const So
   using namespace internal;
   using namespace internal::Loci;
   Curve_pair_locus_2<typename C::Kernel> result([](const Pair_of_points& pair, const std::vector<double>&) { return center_of_tangent_or_osculating_circle(pair); });
-  Summing_solver solve(options);
+  Budgeted_solver solve(options);
   const Planar_map curve(c);
   const std::vector<Differentiated_map> pieces = polynomial_pieces(curve, 2);
   for (const Differentiated_map& piece : pieces)

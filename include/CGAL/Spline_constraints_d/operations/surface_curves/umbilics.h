@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_UMBILICS_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_SURFACE_CURVES_UMBILICS_H
 
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/surface_curves/internal/Surface_zeros.h>
@@ -69,7 +69,7 @@ class Umbilic_finder
   using Box = Exact_ranges;
 
   const Spline_patch<3>& m_patch;
-  Summing_solver m_solver;
+  Budgeted_solver m_solver;
   Umbilics_3<Kernel> m_found;
 
 public:

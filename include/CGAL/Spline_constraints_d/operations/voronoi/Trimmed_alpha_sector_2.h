@@ -64,7 +64,7 @@ private:
   bool m_is_exchanged;                                                      // the nearer operand is the second one
   double m_factor;                                                          // of the distances
   std::vector<Arc> m_arcs;
-  std::vector<std::vector<internal::Voronoi::Sector_disks::Arc>> m_parts_of_arc;     // one; or several, where the normals of a vertex come in several fans
+  std::vector<std::vector<internal::Voronoi::Sector_disks::Arc>> m_parts_of_arc;     // one; or several, where the normals of a vertex come in several normal cones
   std::vector<Chain> m_chains;
   std::vector<Undecided_part_2> m_undecided;
 
@@ -140,26 +140,26 @@ private:
 
   Sample sample(const Part& part, double u) const
   {
-    const internal::Voronoi::Front& front = m_disks.front(part);
+    const internal::Voronoi::Oriented_element& element = m_disks.element(part);
     const internal::Voronoi::Sector_disks::Disk disk = m_disks.disk(part, u);
     const double radius = middle(disk.radius);
-    const bool is_vertex = part.contact.kind == internal::Voronoi::Disk_contact::Kind::VERTEX;
+    const bool is_vertex = part.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX;
     return {internal::kernel_object<Kernel, Point>(std::array<double, 2>{middle(disk.center[0]), middle(disk.center[1])}), in_order(radius, m_factor * radius),
-            in_order(curve_parameter(front.is_fan, front.object, u), curve_parameter(is_vertex, part.contact.index, disk.parameter))};
+            in_order(curve_parameter(element.is_normal_cone, element.object, u), curve_parameter(is_vertex, part.footpoint.index, disk.parameter))};
   }
 
   Arc arc_of(const std::vector<Part>& parts) const
   {
     const Part& first = parts.front();
     const std::array<double, 2> begin = sample(first, first.begin).parameters, end = sample(parts.back(), parts.back().end).parameters;
-    return {in_order(m_disks.front(first).is_fan, first.contact.kind == internal::Voronoi::Disk_contact::Kind::VERTEX), {{{begin[0], end[0]}, {begin[1], end[1]}}}};
+    return {in_order(m_disks.element(first).is_normal_cone, first.footpoint.kind == internal::Voronoi::Disk_footpoint::Kind::VERTEX), {{{begin[0], end[0]}, {begin[1], end[1]}}}};
   }
 
-  // Whether the nearest points go on in the next fan of the same vertex.
+  // Whether the nearest points go on in the next normal cone of the same vertex.
   bool goes_on(const Part& before, const Part& after) const
   {
-    const internal::Voronoi::Front &a = m_disks.front(before), &b = m_disks.front(after);
-    return before.front != after.front && a.is_fan && b.is_fan && a.object == b.object && before.contact == after.contact;
+    const internal::Voronoi::Oriented_element &a = m_disks.element(before), &b = m_disks.element(after);
+    return before.element != after.element && a.is_normal_cone && b.is_normal_cone && a.object == b.object && before.footpoint == after.footpoint;
   }
 
   void append_chain(const internal::Voronoi::Free_chains::Chain& chain)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/chains_of_curves.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ template <SplineKernel Kernel>
 class Trimmed_bisector_2
 {
 public:
-  using Diagram = Voronoi_diagram_2<Kernel>;
+  using Diagram = Voronoi_diagram_of_curves_2<Kernel>;
   using Sample = Voronoi_sample_2<Kernel>;
 
   //! an edge of the diagram, as a part of a chain.

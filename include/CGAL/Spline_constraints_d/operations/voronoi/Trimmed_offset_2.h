@@ -63,7 +63,7 @@ private:
   std::shared_ptr<const internal::Voronoi::Offset_cycles> m_cycles;
   bool m_is_reversed;   // the set is on the right of the chains
   std::vector<Arc> m_arcs;
-  std::vector<std::vector<std::size_t>> m_pieces_of_arc;   // which are the offsets of parts of fronts
+  std::vector<std::vector<std::size_t>> m_pieces_of_arc;   // which are the offsets of parts of elements
   std::vector<Boundary> m_boundaries;
   std::vector<Undecided_part_2> m_undecided;
 
@@ -103,7 +103,7 @@ public:
     std::vector<Point> result;
     for (const std::size_t p : m_pieces_of_arc[arc]) {
       const internal::Voronoi::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
-      const internal::Voronoi::Front_offset offset = m_cycles->offset(piece);
+      const internal::Voronoi::Element_offset offset = m_cycles->offset(piece);
       const auto [begin, end] = parameters(piece);
       const std::vector<double> stops = offset.stops(begin, end, error);
       for (std::size_t i = result.empty() ? 0 : 1; i < stops.size(); ++i)
@@ -149,22 +149,22 @@ private:
   Arc arc_of(std::size_t p) const
   {
     const internal::Voronoi::Offset_cycles::Piece& piece = m_cycles->pieces()[p];
-    const internal::Voronoi::Front& front = m_cycles->front(piece);
+    const internal::Voronoi::Oriented_element& element = m_cycles->element(piece);
     const internal::Voronoi::Site_graph_2& graph = m_cycles->graph();
-    if (front.is_fan) {
-      const auto [curve, parameter] = internal::Voronoi::vertex_origin(graph, front.object).value_or(std::pair(internal::Voronoi::Offset_cycles::none, 0.));
-      return {true, internal::kernel_object<Kernel, Point>(graph.vertices()[front.object].exact_point), curve, {parameter, parameter}};
+    if (element.is_normal_cone) {
+      const auto [curve, parameter] = internal::Voronoi::vertex_origin(graph, element.object).value_or(std::pair(internal::Voronoi::Offset_cycles::none, 0.));
+      return {true, internal::kernel_object<Kernel, Point>(graph.vertices()[element.object].exact_point), curve, {parameter, parameter}};
     }
     const auto [begin, end] = parameters(piece);
-    return {false, Point(0, 0), graph.curve_of_arc(front.object), {graph.curve_parameter(front.object, begin), graph.curve_parameter(front.object, end)}};
+    return {false, Point(0, 0), graph.curve_of_arc(element.object), {graph.curve_parameter(element.object, begin), graph.curve_parameter(element.object, end)}};
   }
 
   // Whether a piece goes on where another one ends, around the same point, or with the same curve on the same side.
   bool goes_on(std::size_t before, std::size_t after) const
   {
-    const internal::Voronoi::Front &a = m_cycles->front(m_cycles->pieces()[before]), &b = m_cycles->front(m_cycles->pieces()[after]);
-    if (a.is_fan || b.is_fan)
-      return before != after && a.is_fan && b.is_fan && a.object == b.object;
+    const internal::Voronoi::Oriented_element &a = m_cycles->element(m_cycles->pieces()[before]), &b = m_cycles->element(m_cycles->pieces()[after]);
+    if (a.is_normal_cone || b.is_normal_cone)
+      return before != after && a.is_normal_cone && b.is_normal_cone && a.object == b.object;
     return a.is_reversed == b.is_reversed && arc_of(before).curve == arc_of(after).curve && arc_of(before).parameters[1] == arc_of(after).parameters[0];
   }
 

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_MEDIAL_AXIS_2_H
 
 #include <CGAL/Spline_constraints_d/operations/regions/Planar_region_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_fronts.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_elements.h>
 
 #include <memory>
 
@@ -27,10 +27,10 @@ It is the part of the Voronoi diagram of the boundary that is inside, `voronoi_d
 Complexity: about half of that of the Voronoi diagram.
 */
 template <class Concurrency_tag = CGAL::Sequential_tag, SplineKernel Kernel>
-Voronoi_diagram_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
+Voronoi_diagram_of_curves_2<Kernel> medial_axis(const Planar_region_2<Kernel>& region)
 {
   const auto graph = internal::Voronoi::region_graph(region);
-  return {graph, std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(*graph, internal::Voronoi::region_fronts(*graph, region, true), "medial_axis"))};
+  return {graph, std::make_shared<internal::Voronoi::Disk_diagram>(internal::Voronoi::disk_diagram<Concurrency_tag>(*graph, internal::Voronoi::region_elements(*graph, region, true), "medial_axis"))};
 }
 
 } // namespace Spline_constraints

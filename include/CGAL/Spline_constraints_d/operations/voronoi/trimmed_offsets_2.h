@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/concepts.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/Trimmed_offset_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Graph_of_crossing_curves_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_fronts.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/region_elements.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/site_graphs_2.h>
 
 #include <memory>
@@ -51,7 +51,7 @@ auto trimmed_offset(const Range& curves, const typename std::ranges::range_value
   if (CGAL::sign(radius) != CGAL::POSITIVE)
     throw Invalid_input("trimmed_offset: the distance must be positive");
   const auto graph = internal::Voronoi::graph_without_overlaps<Concurrency_tag, Kernel>(internal::Voronoi::site_curves(curves), points);
-  return Trimmed_offset_2<Kernel>(std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(graph, radius, internal::Voronoi::all_fronts(*graph), false)), true);
+  return Trimmed_offset_2<Kernel>(std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(graph, radius, internal::Voronoi::all_elements(*graph), false)), true);
 }
 
 /*!
@@ -73,7 +73,7 @@ Trimmed_offset_2<Kernel> trimmed_offset(const Planar_region_2<Kernel>& region, c
     throw Invalid_input("trimmed_offset: the distance must not be zero");
   const bool is_inside = sign == CGAL::NEGATIVE;
   const auto graph = internal::Voronoi::region_graph(region);
-  return {std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(graph, CGAL::abs(radius), internal::Voronoi::region_fronts(*graph, region, is_inside), is_inside)), !is_inside};
+  return {std::make_shared<internal::Voronoi::Offset_cycles>(internal::Voronoi::offset_cycles<Concurrency_tag>(graph, CGAL::abs(radius), internal::Voronoi::region_elements(*graph, region, is_inside), is_inside)), !is_inside};
 }
 
 } // namespace Spline_constraints

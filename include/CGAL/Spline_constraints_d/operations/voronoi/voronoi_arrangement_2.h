@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/regions/to_arrangement_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
 
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Bbox_2.h>
@@ -100,7 +100,7 @@ bool has_topology_of(const Diagram& diagram, const Arrangement& arrangement, con
 
 // The arrangement with errors that are halved until it has the topology of the diagram, up to eight times.
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
+Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
 {
   check_error(error, "to_arrangement");
   constexpr int most_refinements = 8;
@@ -130,7 +130,7 @@ Voronoi_arrangement_2<Kernel> refined_arrangement(const Voronoi_diagram_2<Kernel
 
 // Whether edges to infinity have been followed to disks of a radius.
 template <SplineKernel Kernel>
-bool edges_reach(const Voronoi_diagram_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement, double radius)
+bool edges_reach(const Voronoi_diagram_of_curves_2<Kernel>& diagram, const Voronoi_arrangement_2<Kernel>& arrangement, double radius)
 {
   for (std::size_t e = 0; e < diagram.edges().size(); ++e)
     for (const bool is_end : {false, true})
@@ -158,7 +158,7 @@ void cut_at(const CGAL::Bbox_2& box, std::size_t label, Arrangement& arrangement
 }
 
 template <SplineKernel Kernel>
-void label_vertices(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+void label_vertices(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
   std::map<Chord_traits_2::Point_2, std::size_t> vertex_at;
   for (std::size_t v = 0; v < diagram.vertices().size(); ++v)
@@ -170,7 +170,7 @@ void label_vertices(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangemen
 }
 
 template <SplineKernel Kernel>
-void label_halfedges(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+void label_halfedges(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
   for (auto h = result.arrangement.halfedges_begin(); h != result.arrangement.halfedges_end(); ++h)
     for (const Chord_label& label : h->curve().data())
@@ -182,7 +182,7 @@ void label_halfedges(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangeme
 }
 
 template <SplineKernel Kernel>
-void label_faces(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+void label_faces(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
   for (auto face = result.arrangement.faces_begin(); face != result.arrangement.faces_end(); ++face) {
     std::set<std::size_t> regions;
@@ -203,7 +203,7 @@ void label_faces(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2
 
 // A face of a box that no edge passes is part of one region, that of the sites that are nearest to a corner of it.
 template <SplineKernel Kernel>
-void label_whole_box(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+void label_whole_box(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
   for (auto face = result.arrangement.faces_begin(); face != result.arrangement.faces_end(); ++face)
     if (!face->is_unbounded() && face->data().empty()) {
@@ -225,7 +225,7 @@ CGAL::Polygon_2<CGAL::Exact_predicates_exact_constructions_kernel> polygon_along
 }
 
 template <SplineKernel Kernel>
-void label_records(const Voronoi_diagram_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
+void label_records(const Voronoi_diagram_of_curves_2<Kernel>& diagram, Voronoi_arrangement_2<Kernel>& result)
 {
   label_vertices(diagram, result);
   label_halfedges(diagram, result);
@@ -245,14 +245,14 @@ Edges that have a vertex in common end in the same vertex of the arrangement, th
 Whether the arrangement has the connections of the diagram is decided exactly; if not, the error is halved, up to eight times. Then each connected part of it can be deformed to that part of the diagram without a change of the connections.
 
 \param diagram the diagram.
-\param error a distance between edges and chords, see `Voronoi_diagram_2::polyline()`; positive.
+\param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
 \param most_radius edges to infinity are cut where the radius of the disks is larger, and so are vertices of such radius; positive and finite.
 \throws Invalid_input when the error is not positive, the radius is not positive or not finite, or a coordinate of a chord is greater than \f$2^{250}\f$.
 
 Complexity: that of a sweep, \f$O(n \log n)\f$ for \f$n\f$ chords, for each error that is tried.
 */
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, double most_radius)
+Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, double most_radius)
 {
   if (!(most_radius > 0 && std::isfinite(most_radius)))
     throw Invalid_input("to_arrangement: the radius must be positive and finite");
@@ -266,17 +266,17 @@ Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& di
 
 a Voronoi diagram or a medial axis in a box, as an arrangement of chords of its edges and the sides of the box.
 
-The regions are faces then, also those that go to infinity: point location tells which of the connected sets of curves and points is the nearest one, for points that are not between an edge and a chord. `Voronoi_diagram_2::nearest_sites()` tells it for all points, and which piece it is.
+The regions are faces then, also those that go to infinity: point location tells which of the connected sets of curves and points is the nearest one, for points that are not between an edge and a chord. `Voronoi_diagram_of_curves_2::nearest_sites()` tells it for all points, and which piece it is.
 
 \param diagram the diagram of one site or more.
-\param error a distance between edges and chords, see `Voronoi_diagram_2::polyline()`; positive.
+\param error a distance between edges and chords, see `Voronoi_diagram_of_curves_2::polyline()`; positive.
 \param box what is outside is left out. It is not empty; the sites may be outside.
 \throws Invalid_input when the error is not positive, or less than \f$2^{-50}\f$ of the diameter of the box and the first site: coordinates are doubles; when the box has no inner points, coordinates whose absolute value is not \f$2^{250}\f$ at most; or there are no sites.
 
 Complexity: as above; `Voronoi_arrangement_2::has_same_topology` is that of the arrangement before it is cut at the sides of the box, and false if an edge to infinity does not reach these.
 */
 template <SplineKernel Kernel>
-Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
+Voronoi_arrangement_2<Kernel> to_arrangement(const Voronoi_diagram_of_curves_2<Kernel>& diagram, double error, const CGAL::Bbox_2& box)
 {
   constexpr double least_error = 0x1p-50;   // of the diameter
   if (!(box.xmin() < box.xmax() && box.ymin() < box.ymax() && -internal::most_magnitude <= (std::min)(box.xmin(), box.ymin()) && (std::max)(box.xmax(), box.ymax()) <= internal::most_magnitude))

@@ -8,7 +8,7 @@
 #include <CGAL/Spline_constraints_d/geometry/curves/Bspline_curve_2.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
 #include <CGAL/Spline_constraints_d/operations/loci/point_curve_bisector_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/Voronoi_diagram_of_curves_2.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ In a kernel whose numbers are not exact, joints of pieces are rounded, and so is
 Complexity: products of polynomials of one parameter.
 */
 template <SplineKernel Kernel, ParametricCurve_2 Curve>
-std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>> exact_edge_curve(const Voronoi_diagram_2<Kernel>& diagram, std::size_t edge, const std::vector<Curve>& curves, double margin = 0x1p-10)
+std::optional<Bspline_curve_2<Point_curve_bisector_2::Kernel>> exact_edge_curve(const Voronoi_diagram_of_curves_2<Kernel>& diagram, std::size_t edge, const std::vector<Curve>& curves, double margin = 0x1p-10)
 {
   if (!(0 < margin && margin < 0.5))
     throw Invalid_input("exact_edge_curve: the margin is not between 0 and 1/2");

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_SIGN_SEQUENCE_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ class Sign_sequence
 public:
   // `formula(piece, u)`, continuous between successive pieces where `joins(piece, next)`.
   template <class Formula, class Joins>
-  Sign_sequence(const std::vector<Differentiated_map>& pieces, bool is_closed, const Formula& formula, const Joins& joins, Summing_solver& solve)
+  Sign_sequence(const std::vector<Differentiated_map>& pieces, bool is_closed, const Formula& formula, const Joins& joins, Budgeted_solver& solve)
   {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       Sign_sequence next(pieces[i], formula, solve);
@@ -75,7 +75,7 @@ public:
 
 private:
   template <class Formula>
-  Sign_sequence(const Differentiated_map& piece, const Formula& formula, Summing_solver& solve)
+  Sign_sequence(const Differentiated_map& piece, const Formula& formula, Budgeted_solver& solve)
   {
     const auto [u] = parameters(piece.map());
     const Expression f = formula(piece, u);

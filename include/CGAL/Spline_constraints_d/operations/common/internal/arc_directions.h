@@ -5,9 +5,9 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_ARC_DIRECTIONS_H
 
 #include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
 #include <CGAL/number_utils.h>
@@ -120,7 +120,7 @@ bool are_separated(const Spline_patch<d>& a, const Spline_patch<d>& b, const Exa
 
 // Where the derivative of a curve of one piece is zero.
 template <int d>
-Solution_set_d<double> zeros_of_derivative(const Spline_patch<d>& arc, Summing_solver& solve)
+Solution_set_d<double> zeros_of_derivative(const Spline_patch<d>& arc, Budgeted_solver& solve)
 {
   const auto [begin, end] = arc.domain(0);
   const std::vector<Unknown> t = unknowns({std::array<Bound, 2>{Bound(begin), Bound(end)}});
@@ -137,7 +137,7 @@ Whether C' = 0 somewhere on a polynomial curve, and det(C''(s), C'''(t)) has the
 formula det(C''(c), C'(t)) is the integral of (t - r) det(C''(c), C'''(r)) from c to t, so that C moves strictly to one side of its tangent in the cusp.
 */
 template <int d>
-bool has_simple_cusp(const Spline_patch<d>& arc, Summing_solver& solve)
+bool has_simple_cusp(const Spline_patch<d>& arc, Budgeted_solver& solve)
 {
   if (arc.is_rational())
     return false;

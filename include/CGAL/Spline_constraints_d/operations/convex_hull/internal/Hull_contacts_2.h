@@ -4,8 +4,8 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_CONTACTS_2_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_CONVEX_HULL_INTERNAL_HULL_CONTACTS_2_H
 
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/critical_values.h>
 #include <CGAL/Spline_constraints_d/operations/convex_hull/internal/Hull_piece_2.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/intersections.h>
@@ -34,7 +34,7 @@ struct Hull_contact_operand
 class Hull_contacts_2
 {
   Solver_options m_options;
-  Summing_solver m_solve;
+  Budgeted_solver m_solve;
 
 public:
   explicit Hull_contacts_2(const Solver_options& options) : m_options(options), m_solve(options) {}

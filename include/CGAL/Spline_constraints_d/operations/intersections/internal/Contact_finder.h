@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/geometry/internal/Exact_vector.h>
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Surface_poles.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/settle_undecided_contacts.h>
@@ -68,11 +68,11 @@ class Contact_finder
   using Solution = Solution_d<double>;
 
   Patch_pair<3> m_pair;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
   std::vector<Common_point> m_result;
 
 public:
-  Contact_finder(Patch_pair<3> pair, Summing_solver& solve) : m_pair(std::move(pair)), m_solve(solve) {}
+  Contact_finder(Patch_pair<3> pair, Budgeted_solver& solve) : m_pair(std::move(pair)), m_solve(solve) {}
 
   std::vector<Common_point> operator()()
   {

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_CURVES_THROUGH_POLES_H
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_CURVES_THROUGH_POLES_H
 
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Joined_parts.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Seam_joints.h>
@@ -140,7 +140,7 @@ class Common_poles
 {
   const Surface_equations& m_surfaces;
   const std::function<const Power_polynomial*(std::size_t)> m_equation;   // of a surface
-  Summing_solver m_solve;
+  Budgeted_solver m_solve;
 
 public:
   Common_poles(const Surface_equations& surfaces, std::function<const Power_polynomial*(std::size_t)> equation, const Solver_options& options)

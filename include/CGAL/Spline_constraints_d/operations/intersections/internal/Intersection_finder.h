@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_INTERSECTION_FINDER_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Coincidence.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/settle_undecided_points.h>
@@ -51,10 +51,10 @@ class Intersection_finder
   };
 
   Patch_pair<d> m_pair;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
 
 public:
-  Intersection_finder(Patch_pair<d> pair, Summing_solver& solve) : m_pair(std::move(pair)), m_solve(solve) {}
+  Intersection_finder(Patch_pair<d> pair, Budgeted_solver& solve) : m_pair(std::move(pair)), m_solve(solve) {}
 
   // Each common point once: on the seam of a closed operand, with the lower parameter.
   std::vector<Common_point> operator()()

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SELF_INTERSECTION_FINDER_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/arc_directions.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/meeting_boxes.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
@@ -32,11 +32,11 @@ template <int d>
 class Self_intersection_finder
 {
   Parameter_range m_domain;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
   Simple_arcs<d> m_arcs;
 
 public:
-  Self_intersection_finder(const Spline_patch<d>& curve, Summing_solver& solve) : m_domain(curve.domain(0)), m_solve(solve), m_arcs(curve, solve) {}
+  Self_intersection_finder(const Spline_patch<d>& curve, Budgeted_solver& solve) : m_domain(curve.domain(0)), m_solve(solve), m_arcs(curve, solve) {}
 
   std::vector<Common_point> operator()()
   {

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SHARED_EDGES_H
 
 #include <CGAL/Spline_constraints_d/operations/common/Intersection.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -72,7 +72,7 @@ public:
   /*
   The contacts of two polynomial pieces of the surfaces in a box of their parameters, if all are on an edge and decided. Of some ranges, the upper ends do not belong to the pieces.
   */
-  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Summing_solver& solve) const
+  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Budgeted_solver& solve) const
   {
     for (const Pair& pair : m_pairs)
       if (has_interior(box) && meet_only_at(pair, box))
@@ -178,7 +178,7 @@ private:
   }
 
   // \pre The edge is all they have in common in the box.
-  std::optional<std::vector<Common_point>> contacts_at(const Pair& pair, const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Summing_solver& solve) const
+  std::optional<std::vector<Common_point>> contacts_at(const Pair& pair, const Patch_pair<3>& pieces, const std::vector<bool>& is_open, const Parameter_box& box, Budgeted_solver& solve) const
   {
     using Points = std::vector<Common_point>;
     for (const std::size_t k : {0, 1})

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_SIMPLE_ARCS_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_patch.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/arc_directions.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -42,13 +42,13 @@ class Simple_arcs
   static constexpr int most_cuts = 20, most_regular_cuts = 6, most_trials = 20;   // of parts that shrink by 29/64 or 35/64
   using Range = Parameter_range;
 
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
   bool m_is_closed;
   std::vector<Curve_arc<d>> m_arcs;
   std::vector<Spline_patch<d>> m_others;
 
 public:
-  Simple_arcs(const Spline_patch<d>& curve, Summing_solver& solve) : m_solve(solve), m_is_closed(curve.is_closed(0))
+  Simple_arcs(const Spline_patch<d>& curve, Budgeted_solver& solve) : m_solve(solve), m_is_closed(curve.is_closed(0))
   {
     add_pieces(curve, curve.breaks(0));
     cut_at_common_ends();

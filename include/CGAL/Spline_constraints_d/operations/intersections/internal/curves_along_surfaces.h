@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_CURVES_ALONG_SURFACES_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Overlap_ends.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/curves_on_implicit_surfaces.h>
@@ -55,7 +55,7 @@ class Curve_along_surface
   static constexpr std::size_t most_samples = 4;   // one more than the degree of q
 
   Spline_patch<3> m_curve, m_surface;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
 
 public:
   // The range of the parameter of the curve, those of the surface, and the parameters on the surface of both ends.
@@ -66,7 +66,7 @@ public:
     std::array<Point, 2> ends;
   };
 
-  Curve_along_surface(Spline_patch<3> curve, Spline_patch<3> surface, Summing_solver& solve) : m_curve(std::move(curve)), m_surface(std::move(surface)), m_solve(solve) {}
+  Curve_along_surface(Spline_patch<3> curve, Spline_patch<3> surface, Budgeted_solver& solve) : m_curve(std::move(curve)), m_surface(std::move(surface)), m_solve(solve) {}
 
   // From points with parameters in a range.
   std::vector<Overlap> operator()(const Parameter_range& range) const
@@ -207,7 +207,7 @@ private:
 };
 
 // With what there is beside the overlaps: the rest of the curve. They are looked for in the longest range where something is undecided.
-inline std::optional<std::vector<Common_point>> common_points_of_curve_along_surface(const Patch_pair<3>& pair, const std::vector<Common_point>& points, Summing_solver& solve)
+inline std::optional<std::vector<Common_point>> common_points_of_curve_along_surface(const Patch_pair<3>& pair, const std::vector<Common_point>& points, Budgeted_solver& solve)
 {
   const std::size_t curve = pair[0].number_of_parameters() == 1 ? 0 : 1, parameter = pair.first_parameter(curve), first_of_surface = pair.first_parameter(1 - curve);
   Parameter_range longest(Exact_rational(0), Exact_rational(0));
@@ -252,12 +252,12 @@ inline std::optional<std::vector<Common_point>> common_points_of_curve_along_sur
 
 // The common points of two operands. Where a curve and a surface take many nodes, the curve may run along the surface.
 template <int d>
-std::vector<Common_point> common_points(const Patch_pair<d>& pair, Summing_solver& solve)
+std::vector<Common_point> common_points(const Patch_pair<d>& pair, Budgeted_solver& solve)
 {
   constexpr std::size_t many_nodes = 250;
   if constexpr (d == 3)
     if (pair.number_of_parameters() == 3) {
-      Summing_solver limited = solve.limited(many_nodes);
+      Budgeted_solver limited = solve.limited(many_nodes);
       std::vector<Common_point> points = Intersection_finder<3>(pair, limited)();
       solve.add_work_of(limited);
       const bool is_complete = std::none_of(points.begin(), points.end(), [](const Common_point& x) { return x.kind == Intersection_kind::UNDECIDED; });

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_INTERSECTIONS_INTERNAL_CURVES_ON_IMPLICIT_SURFACES_H
 
 #include <CGAL/Spline_constraints_d/number/enclosure.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Spline_site.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Intersection_finder.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/internal/Tangent_planes.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -186,10 +186,10 @@ class Curve_on_implicit_surface
   const Patch_pair<3>& m_pair;
   std::size_t m_curve_index;
   const Spline_patch<3>&m_curve, &m_surface;
-  Summing_solver& m_solve;
+  Budgeted_solver& m_solve;
 
 public:
-  Curve_on_implicit_surface(const Patch_pair<3>& pair, Summing_solver& solve)
+  Curve_on_implicit_surface(const Patch_pair<3>& pair, Budgeted_solver& solve)
     : m_pair(pair), m_curve_index(pair[0].number_of_parameters() == 1 ? 0 : 1), m_curve(pair[m_curve_index]), m_surface(pair[1 - m_curve_index]), m_solve(solve)
   {}
 

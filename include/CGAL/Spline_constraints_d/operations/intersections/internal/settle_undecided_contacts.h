@@ -44,7 +44,7 @@ public:
   }
 
   // Those in a box or near it, if all are decided.
-  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const Parameter_box& box, Summing_solver& solve) const
+  std::optional<std::vector<Common_point>> contacts(const Patch_pair<3>& pieces, const Parameter_box& box, Budgeted_solver& solve) const
   {
     if (m_axes[0] < 0 || m_axes[1] < 0)
       return std::nullopt;
@@ -110,7 +110,7 @@ private:
 Boxes of two polynomial pieces of surfaces that the solver could not decide, as the equations of a contact are one more than the unknowns: those with contacts on a common edge of the surfaces alone, and those of pieces of straight lines,
 are systems in fewer unknowns. What these decide takes the place of the box, unless another answer may be the same one.
 */
-inline void settle_undecided_contacts(const Shared_edges& edges, const Patch_pair<3>& pieces, const std::vector<bool>& is_open, std::vector<Common_point>& points, Summing_solver& solve)
+inline void settle_undecided_contacts(const Shared_edges& edges, const Patch_pair<3>& pieces, const std::vector<bool>& is_open, std::vector<Common_point>& points, Budgeted_solver& solve)
 {
   const Ruled_contacts lines(pieces);
   const std::vector<Common_point> all = points;

@@ -9,9 +9,9 @@
 #include <CGAL/Spline_constraints_d/function/internal/substitution.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/curve_pieces.h>
 #include <CGAL/Spline_constraints_d/geometry/internal/offset_piece.h>
+#include <CGAL/Spline_constraints_d/operations/common/internal/Budgeted_solver.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Locus_system.h>
 #include <CGAL/Spline_constraints_d/operations/common/internal/Rational_interval.h>
-#include <CGAL/Spline_constraints_d/operations/common/internal/Summing_solver.h>
 #include <CGAL/Spline_constraints_d/operations/intersections/Locus_intersection.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 
@@ -71,7 +71,7 @@ public:
     m_side = m_distance * (dot(chord, perpendicular(tangent)) * q + m_distance * dot(normal, perpendicular(tangent)));
   }
 
-  std::vector<Locus_intersection<2>> solutions(Summing_solver& solve) const
+  std::vector<Locus_intersection<2>> solutions(Budgeted_solver& solve) const
   {
     if (&m_first != &m_second)
       if (const std::optional<Common_end> end = common_end())
@@ -113,7 +113,7 @@ private:
   c y = s x; c is not 1, since symmetric curves have solutions with x = y. Where the tangent is continuous, A has the factor y (or x), and B its square; what is left vanishes in the end only if 1 - r k
   does there. Nothing when there are no such factors.
   */
-  std::optional<std::vector<Locus_intersection<2>>> solutions_beside(const Common_end& end, Summing_solver& solve) const
+  std::optional<std::vector<Locus_intersection<2>>> solutions_beside(const Common_end& end, Budgeted_solver& solve) const
   {
     std::vector<Locus_intersection<2>> result;
     const Exact_rational c = Exact_rational(5) / 7;

@@ -291,7 +291,7 @@ private:
     if (turns_back && !is_other_side(before, after))
       throw Invalid_input("the boundary turns back on curve " + std::to_string(origin(before, 1).first) + " at parameter " + shortest_text(origin(before, 1).second));
     if (turn > 0 || turns_back)
-      add_fan(before, d0, d1);
+      add_normal_cone(before, d0, d1);
     else if (turn < 0)
       add({Turn::RIGHT, true, before, {1, 1}, {d0, d1}, {}});
   }
@@ -302,13 +302,13 @@ private:
     return is_same && (a.turn == Turn::UNKNOWN || is_narrow(a.exact_directions[0], b.exact_directions[1]));
   }
 
-  void add_fan(std::size_t arc, const Exact_pair& d0, const Exact_pair& d1)
+  void add_normal_cone(std::size_t arc, const Exact_pair& d0, const Exact_pair& d1)
   {
     if (is_narrow(d0, d1))
       return add({Turn::LEFT, true, arc, {1, 1}, {d0, d1}, {}});
     const Exact_pair between = direction_between(d0, d1);
-    add_fan(arc, d0, between);
-    add_fan(arc, between, d1);
+    add_normal_cone(arc, d0, between);
+    add_normal_cone(arc, between, d1);
   }
 
   // A direction near the bisector of an angle above 45 degrees, and up to 180 degrees, to the left. It has short coordinates, so that it is exactly that of another joint, or not nearly.

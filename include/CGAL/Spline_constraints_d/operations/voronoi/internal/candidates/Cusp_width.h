@@ -23,7 +23,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Two arcs X and Y that leave a point in the same direction: how much curvature all disks have that touch the front of X up to some width. The disk in X(u) that passes through Y(c u), where c makes speeds equal, has the curvature 2 <N, D> / |D|^2, D = Y(c u) - X(u). Numerator and denominator are polynomials, expanded exactly, with u^i and u^j as factors, i < j; what is left of them is bounded by its Bernstein coefficients.
+Two arcs X and Y that leave a point in the same direction: how much curvature all disks have that touch the element of X up to some width. The disk in X(u) that passes through Y(c u), where c makes speeds equal, has the curvature 2 <N, D> / |D|^2, D = Y(c u) - X(u). Numerator and denominator are polynomials, expanded exactly, with u^i and u^j as factors, i < j; what is left of them is bounded by its Bernstein coefficients.
 
 In a cusp of one curve the derivatives are zero: they are u and a vector, which N is perpendicular to.
 */
@@ -33,7 +33,7 @@ struct Cusp_width
   int power;
   double gap;         // between the arcs at the width, in units of the derivative of X
 
-  // With the front of X on the left of it, or on the right; nothing if there is no bound.
+  // With the element of X on the left of it, or on the right; nothing if there is no bound.
   static std::optional<Cusp_width> of(const Site_graph_2& graph, const Arc_end& own, const Arc_end& other, bool is_left, double width)
   {
     const auto ratio = ratio_of_speeds(graph, own, other);
@@ -126,7 +126,7 @@ private:
     return {Exact_rational(x(t) / (w * w)), Exact_rational(y(t) / (w * w))};
   }
 
-  // What the front's normal is perpendicular to, times the square of the weight where that is a derivative, from an end on.
+  // What the element's normal is perpendicular to, times the square of the weight where that is a derivative, from an end on.
   static std::array<Tensor, 2> tangent(const Site_graph_2& graph, const Arc_end& end, const Exact_rational& width)
   {
     if (graph.is_regular(end)) {

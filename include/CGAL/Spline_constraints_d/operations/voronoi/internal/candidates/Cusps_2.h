@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Scaled_sites.h>
 
 #include <algorithm>
@@ -22,17 +22,17 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Where a front ends in a cusp: what is settled, or else given up; and the contact of all disks there.
+// Where an element ends in a cusp: what is settled, or else given up; and the footpoint of all disks there.
 struct Cusp_side
 {
   Range range;
-  std::optional<Located_contact> contact;
-  std::optional<std::size_t> other_front;   // which the disks touch, if no other front has disks that touch this one there
+  std::optional<Located_footpoint> footpoint;
+  std::optional<std::size_t> other_element;   // which the disks touch, if no other element has disks that touch this one there
 };
 
 /*
-What is known next to vertices with more than two arcs, or with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a contact with a third one. And what is settled in a cusp is touched in it by the disks of
-the two fronts there only: by others it is touched from behind. A scaled disk has the point inside in which the disk touches its front, and no scaled arcs, of which two are a wall if no other is between.
+What is known next to vertices with more than two arcs, or with cusps. Around such a vertex there is a circle which each of its arcs leaves once, going away from the vertex. Within, an arc and the next one around the vertex are a wall, and no disk that touches the arc on that side has a footpoint with a third one. And what is settled in a cusp is touched in it by the disks of
+the two elements there only: by others it is touched from behind. A scaled disk has the point inside in which the disk touches its element, and no scaled arcs, of which two are a wall if no other is between.
 */
 class Cusps_2
 {
@@ -40,12 +40,12 @@ class Cusps_2
   {
     double squared_radius = 0;
     bool has_one_direction = false;   // in which all arcs leave the vertex
-    bool has_fan = false;             // so that disks touch the vertex not only where they are tangent to arcs
+    bool has_normal_cone = false;             // so that disks touch the vertex not only where they are tangent to arcs
   };
 
   const Site_graph_2& m_graph;
   const Scaled_sites* m_scaled;                                    // none, or some sites
-  std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;    // of each front; none if there are no cusps
+  std::vector<std::array<std::optional<Cusp_side>, 2>> m_sides;    // of each element; none if there are no cusps
   bool m_has_cusps = false;
   std::vector<Circle> m_circles;                                   // around each vertex; none if there are no walls
   std::vector<std::array<double, 2>> m_reaches;                    // how far the ends of arcs go away from these
@@ -63,28 +63,28 @@ public:
         if (has_cusp || ends.size() > 2)
           add_circle(v);
       }
-    for (const Front& front : graph.fronts())
-      if (front.is_fan && !m_circles.empty())
-        m_circles[front.object].has_fan = true;
+    for (const Oriented_element& element : graph.elements())
+      if (element.is_normal_cone && !m_circles.empty())
+        m_circles[element.object].has_normal_cone = true;
   }
 
   // Whether arcs leave any vertex in the same direction.
   bool has_cusps() const { return m_has_cusps; }
 
-  void set_side(std::size_t front, bool end, Cusp_side side)
+  void set_side(std::size_t element, bool end, Cusp_side side)
   {
-    m_sides.resize(m_graph.fronts().size());
-    m_sides[front][end] = std::move(side);
+    m_sides.resize(m_graph.elements().size());
+    m_sides[element][end] = std::move(side);
   }
 
-  const std::optional<Cusp_side>& side(std::size_t front, bool end) const
+  const std::optional<Cusp_side>& side(std::size_t element, bool end) const
   {
     static const std::optional<Cusp_side> none;
-    return m_sides.empty() ? none : m_sides[front][end];
+    return m_sides.empty() ? none : m_sides[element][end];
   }
 
-  // Whether no disk that touches a part of a front, and has some curvature, touches a range of an arc, for the reasons above.
-  bool hide(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  // Whether no disk that touches a part of an element, and has some curvature, touches a range of an arc, for the reasons above.
+  bool hide(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval& curvature) const
   {
     if (m_circles.empty() || (!m_has_cusps && 0 < part.range.begin && part.range.end < 1))   // away from corners, curvatures tell
       return false;
@@ -124,19 +124,19 @@ private:
     return squared_radius > 0 && reach.begin <= range.begin && range.end <= reach.end && squared_norm(points - m_graph.vertices()[vertex].point).sup() < squared_radius;
   }
 
-  bool is_behind_wall(const Front_part& part, const Arc_end& end, const Range& range, const Interval_pair& points) const
+  bool is_behind_wall(const Element_part& part, const Arc_end& end, const Range& range, const Interval_pair& points) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     const std::size_t vertex = m_graph.vertex_of(end);
-    if (front.is_fan) {
-      if (front.object != vertex || is_scaled(end) || !is_in_circle(end, range, points))
+    if (element.is_normal_cone) {
+      if (element.object != vertex || is_scaled(end) || !is_in_circle(end, range, points))
         return false;
-      const auto [first, second] = m_graph.ends_beside_fan(part.front);
+      const auto [first, second] = m_graph.ends_beside_normal_cone(part.element);
       return end != first && end != second;
     }
-    const auto is_behind = [&](const Arc_end& own) { return is_scaled(end) ? !is_next_scaled(own, end) : end != own && (end != m_graph.next_around_vertex(front, own) || is_around_vertex(front, own)); };
+    const auto is_behind = [&](const Arc_end& own) { return is_scaled(end) ? !is_next_scaled(own, end) : end != own && (end != m_graph.next_around_vertex(element, own) || is_around_vertex(element, own)); };
     for (const bool is_end : {false, true})
-      if (const Arc_end own{front.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(end, range, points) && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
+      if (const Arc_end own{element.object, is_end}; m_graph.vertex_of(own) == vertex && is_in_circle(end, range, points) && is_in_circle(own, part.range, part.jet.point) && is_behind(own))
         return true;
     return false;
   }
@@ -158,42 +158,42 @@ private:
   }
 
   // Whether the next arc leaves in the same direction on the other side of all others: chords do not lead there.
-  bool is_around_vertex(const Front& front, const Arc_end& own) const
+  bool is_around_vertex(const Oriented_element& element, const Arc_end& own) const
   {
     const std::size_t vertex = m_graph.vertex_of(own);
-    return m_circles[vertex].has_one_direction && m_graph.is_last_around_vertex(front, own);
+    return m_circles[vertex].has_one_direction && m_graph.is_last_around_vertex(element, own);
   }
 
   // Whether the disks would be on that side of an arc on which this is settled.
-  bool is_in_front_of(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  bool is_in_front_of(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
   {
     for (const bool is_right : {false, true})
-      if (const std::size_t own = 2 * end.arc + is_right; part.front != own)
-        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->contact && settled->other_front && *settled->other_front != part.front && settled->range.begin <= range.begin && range.end <= settled->range.end)
+      if (const std::size_t own = 2 * end.arc + is_right; part.element != own)
+        if (const auto& settled = m_sides[own][end.is_end]; settled && settled->footpoint && settled->other_element && *settled->other_element != part.element && settled->range.begin <= range.begin && range.end <= settled->range.end)
           if (const Interval side(is_right ? -1 : 1); (side * height(part, end, range, jet)).inf() >= 0 || (is_touched_as_arc(end, range) && (side * normal(part, end, range, jet, curvature)).inf() > 0))
             return true;
     return false;
   }
 
-  // Whether disks that touch a range of an arc are tangent to it: where it ends in a vertex with a fan, it may stand for the vertex.
+  // Whether disks that touch a range of an arc are tangent to it: where it ends in a vertex with a normal cone, it may stand for the vertex.
   bool is_touched_as_arc(const Arc_end& end, const Range& range) const
   {
-    return !range.meets({end.parameter(), end.parameter()}) || !m_circles[m_graph.vertex_of(end)].has_fan;
+    return !range.meets({end.parameter(), end.parameter()}) || !m_circles[m_graph.vertex_of(end)].has_normal_cone;
   }
 
-  // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where the front is on a tangent of the arc.
-  Interval normal(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
+  // The sign of the normal of a disk, where it touches an arc: towards its left or its right. It is known also where the element is on a tangent of the arc.
+  Interval normal(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet, const Interval& curvature) const
   {
     const Interval_pair way = jet[0] - part.jet.point;
     return dot(turned_left(tangent(end, range, jet)), part.jet.normal - Interval_pair{curvature * way[0], curvature * way[1]});
   }
 
-  // The sign of that of a front over the tangents of an arc: in the end of the arc itself it is that of the curvature.
-  Interval height(const Front_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
+  // The sign of that of an element over the tangents of an arc: in the end of the arc itself it is that of the curvature.
+  Interval height(const Element_part& part, const Arc_end& end, const Range& range, const Curve_jet& jet) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     const Site_arc_2& arc = m_graph.arcs()[end.arc];
-    if (front.is_fan && front.object == m_graph.vertex_of(end)) {
+    if (element.is_normal_cone && element.object == m_graph.vertex_of(end)) {
       const auto [tangent, change] = arc.tangent_jet(united(range, {end.parameter(), end.parameter()}));
       return dot(turned_left(tangent), change);
     }

@@ -29,7 +29,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The candidates for the maximal disks of a front: those whose curvature may reach the largest one that is known to be attained.
+The candidates for the maximal disks of an element: those whose curvature may reach the largest one that is known to be attained.
 */
 template <Enclosing_number Interval>
 class Basic_disk_candidates
@@ -37,8 +37,8 @@ class Basic_disk_candidates
   using Interval_pair = std::array<Interval, 2>;
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
@@ -75,7 +75,7 @@ public:
     return result;
   }
 
-  // A curvature of the disks of a part as a function of the parameter of the front: its value in the middle, its derivative over the part, and a lower bound.
+  // A curvature of the disks of a part as a function of the parameter of the element: its value in the middle, its derivative over the part, and a lower bound.
   struct Level
   {
     Interval at_middle, slope;
@@ -83,22 +83,22 @@ public:
   };
 
   /*
-  Removes candidates that cannot be touched over a part of the front, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
-  or its highest point is its end, which it shares with a neighbour; or it is behind the front, or its arc, or seen from another face. Returns a curvature that is attained for all disks, of which one may be known.
+  Removes candidates that cannot be touched over a part of the element, and splits others until they are not larger than what the part may see. A candidate is too low throughout, or lower than another one for each point of the part,
+  or its highest point is its end, which it shares with a neighbour; or it is behind the element, or its arc, or seen from another face. Returns a curvature that is attained for all disks, of which one may be known.
   */
-  double prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const { return prune(part, candidates, known_least, nullptr)->least; }
+  double prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least = 0) const { return prune(part, candidates, known_least, nullptr)->least; }
 
   // The same if disks of less curvature than a wanted one do not matter. Nothing is returned, and candidates are not told, if that is exceeded throughout.
-  std::optional<double> prune(const Front_part& part, std::vector<Disk_candidate>& candidates, const Level& wanted) const
+  std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates, const Level& wanted) const
   {
     const auto attained = prune(part, candidates, wanted.least, &wanted);
     return attained ? std::optional(attained->least) : std::nullopt;
   }
 
   // With a curvature of which one is known to be attained, and one that is wanted, or none.
-  std::optional<Level> prune(const Front_part& part, std::vector<Disk_candidate>& candidates, double known_least, const Level* wanted) const
+  std::optional<Level> prune(const Element_part& part, std::vector<Disk_candidate>& candidates, double known_least, const Level* wanted) const
   {
-    const Front_part middle = m_curvature.part(part.front, {part.range.middle(), part.range.middle()});
+    const Element_part middle = m_curvature.part(part.element, {part.range.middle(), part.range.middle()});
     const Interval shift = interval_of<Interval>(part.range) - Interval(part.range.middle());
     Level attained{Interval(0), Interval(0)};
     const std::optional<Curvature_bounds> circle = m_curvature.of_own_circle(part);
@@ -185,7 +185,7 @@ private:
   }
 
   // Removes the parts of small arcs that are lower than a point of the same arc throughout: an end, or the one that is about the highest. All curvatures are nearly the same there, and change more over the part than they differ.
-  void erase_lower_on_small_arcs(const Front_part& part, const Front_part& middle, double least, std::vector<Disk_candidate>& candidates) const
+  void erase_lower_on_small_arcs(const Element_part& part, const Element_part& middle, double least, std::vector<Disk_candidate>& candidates) const
   {
     const auto is_on = [](const Disk_candidate& c, std::size_t arc) { return c.kind == Disk_candidate::Kind::ARC && c.index == arc; };
     std::vector<std::size_t> arcs;
@@ -204,21 +204,21 @@ private:
     }
   }
 
-  // Whether an arc is not that of the front, and much smaller than the disks.
-  bool is_small_and_elsewhere(const Front_part& part, std::size_t arc, double least) const
+  // Whether an arc is not that of the element, and much smaller than the disks.
+  bool is_small_and_elsewhere(const Element_part& part, std::size_t arc, double least) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    return is_small_beside_disks(part, m_tree.squared_size(arc), least) && !m_curvature.is_arc_scaled(arc) && (front.is_fan || front.object != arc);
+    const Oriented_element& element = m_graph.elements()[part.element];
+    return is_small_beside_disks(part, m_tree.squared_size(arc), least) && !m_curvature.is_arc_scaled(arc) && (element.is_normal_cone || element.object != arc);
   }
 
   // Whether points that are not farther away from each other than some squared distance are seen as one by disks of at least some curvature, which may be as large as all the scene.
-  bool is_small_beside_disks(const Front_part& part, double squared_distance, double least) const
+  bool is_small_beside_disks(const Element_part& part, double squared_distance, double least) const
   {
     constexpr double most_share = 0x1p-20;   // of the square
     return squared_distance < most_share * m_tree.squared_size() && squared_distance * least * least < most_share * squared_norm(part.jet.normal).inf();
   }
 
-  bool is_lower_than_point(const Front_part& part, std::size_t arc, double v, const Range& range, int depth) const
+  bool is_lower_than_point(const Element_part& part, std::size_t arc, double v, const Range& range, int depth) const
   {
     constexpr int most_depth = 5;
     const int sign = range.meets({v, v}) ? 0 : compared_points(m_graph.arcs()[arc], {v, v}, range).sign(part);
@@ -227,7 +227,7 @@ private:
   }
 
   // Bounds the curvature for a candidate, and learns from it what is attained.
-  void bound(const Front_part& part, const Front_part& middle, Disk_candidate& candidate, Level& attained) const
+  void bound(const Element_part& part, const Element_part& middle, Disk_candidate& candidate, Level& attained) const
   {
     ++m_number_of_bounds;
     Curvature_bounds& k = candidate.bounds;
@@ -260,7 +260,7 @@ private:
   }
 
   // An end of an arc may be much nearer than the middle of what is not split yet.
-  void learn_from_end(const Front_part& part, const Front_part& middle, std::size_t arc, double end, const Interval& shift_u, Level& attained) const
+  void learn_from_end(const Element_part& part, const Element_part& middle, std::size_t arc, double end, const Interval& shift_u, Level& attained) const
   {
     const Curve_jet jet = m_graph.arcs()[arc].jet({end, end}, 2);
     learn(m_curvature(middle, arc, {end, end}, jet).value, m_curvature(part, arc, {end, end}, jet, middle, jet).du, shift_u, attained);
@@ -279,50 +279,50 @@ private:
       attained.least = (std::max)(attained.least, least);
   }
 
-  bool is_small(const Front_part& part, const Disk_candidate& candidate, double least) const
+  bool is_small(const Element_part& part, const Disk_candidate& candidate, double least) const
   {
     if (candidate.kind != Disk_candidate::Kind::ARC)
       return candidate.kind == Disk_candidate::Kind::VERTEX;
-    if (candidate.range.width() < (std::max)(least_width, way_of_contact(part, candidate.bounds)))
+    if (candidate.range.width() < (std::max)(least_width, way_of_footpoint(part, candidate.bounds)))
       return true;
     const auto size = [](const auto& p) { return (std::max)(p[0].sup() - p[0].inf(), p[1].sup() - p[1].inf()); };
     // Where the touching point moves by a and the normal turns by b, the other end of the diameter moves by a + 2 r b, and that is no more than the curves are large; r |N| = |N| / k.
     const double normal = std::sqrt(squared_norm(part.jet.normal).sup()), turn = size(part.jet.normal) / (std::max)(least, normal / size(m_tree.node(0).box));
-    if (is_small_at_fan(part, candidate, least))
+    if (is_small_at_normal_cone(part, candidate, least))
       return false;
     const double seen = size(part.jet.point) + turn * relevance_of_turn(part, candidate.bounds, least > 0 && m_graph.arcs()[candidate.index].is_on_line_or_circle());
     return size(candidate.jet[0]) <= seen && candidate.range.width() <= 0.5 && !is_decided_by_parts(part, candidate);
   }
 
-  // Whether an arc that begins or ends in the vertex of a fan is much smaller than the disks, and not known to be out of reach: most of it is, when it is divided, as disks through its points are small.
-  bool is_small_at_fan(const Front_part& part, const Disk_candidate& candidate, double least) const
+  // Whether an arc that begins or ends in the vertex of a normal cone is much smaller than the disks, and not known to be out of reach: most of it is, when it is divided, as disks through its points are small.
+  bool is_small_at_normal_cone(const Element_part& part, const Disk_candidate& candidate, double least) const
   {
     constexpr double least_width = 0x1p-6;
-    const Front& front = m_graph.fronts()[part.front];
-    if (!front.is_fan || candidate.range.width() <= least_width || (m_graph.vertex_of({candidate.index, false}) != front.object && m_graph.vertex_of({candidate.index, true}) != front.object))
+    const Oriented_element& element = m_graph.elements()[part.element];
+    if (!element.is_normal_cone || candidate.range.width() <= least_width || (m_graph.vertex_of({candidate.index, false}) != element.object && m_graph.vertex_of({candidate.index, true}) != element.object))
       return false;
     return is_small_beside_disks(part, squared_norm(candidate.jet[0] - part.jet.point).sup(), least);
   }
 
-  // Whether more is learnt of the derivative in the parts of a candidate than in parts of the front: of small curves far away.
-  static bool is_decided_by_parts(const Front_part& part, const Disk_candidate& candidate)
+  // Whether more is learnt of the derivative in the parts of a candidate than in parts of the element: of small curves far away.
+  static bool is_decided_by_parts(const Element_part& part, const Disk_candidate& candidate)
   {
     const Curvature_bounds& k = candidate.bounds;
     const auto size = [](const Interval& x) { return (std::max)(-x.inf(), x.sup()); };
-    const double by_parts = size(k.dvv) * candidate.range.width(), by_front = size(k.duv) * part.range.width();
-    return certain_sign(k.dv) == 0 && !(k.dvv.sup() < 0) && std::isfinite(by_parts) && by_parts > least_gain * by_front;
+    const double by_parts = size(k.dvv) * candidate.range.width(), by_element = size(k.duv) * part.range.width();
+    return certain_sign(k.dv) == 0 && !(k.dvv.sup() < 0) && std::isfinite(by_parts) && by_parts > least_gain * by_element;
   }
 
-  // About how far the contact moves over the part, if that is known: far where disks are nearly half-planes, and a segment nearly on their border.
-  static double way_of_contact(const Front_part& part, const Curvature_bounds& k)
+  // About how far the footpoint moves over the part, if that is known: far where disks are nearly half-planes, and a segment nearly on their border.
+  static double way_of_footpoint(const Element_part& part, const Curvature_bounds& k)
   {
     constexpr double most_ratio = 16;   // of bounds of k_vv
     const double speed = (std::max)(-k.duv.inf(), k.duv.sup()) / -k.dvv.sup();
     return k.dvv.sup() < 0 && k.dvv.inf() >= most_ratio * k.dvv.sup() && std::isfinite(speed) ? part.range.width() * speed : 0;
   }
 
-  // Where nothing is known of the curvature, beside the front, only the way of the touching point counts: to split the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller the part is already.
-  static double relevance_of_turn(const Front_part& part, const Curvature_bounds& k, bool is_on_line_or_circle)
+  // Where nothing is known of the curvature, beside the element, only the way of the touching point counts: to split the part would not help. Where the candidate may have several maxima it is split as well, the more so the smaller the part is already.
+  static double relevance_of_turn(const Element_part& part, const Curvature_bounds& k, bool is_on_line_or_circle)
   {
     if (!std::isfinite(k.value.sup()))
       return 0;
@@ -330,7 +330,7 @@ private:
     return has_one_maximum ? 1 : std::clamp(64 * part.range.width(), 1.0 / 64, 0.25);
   }
 
-  void split(const Front_part& part, const Disk_candidate& candidate, std::vector<Disk_candidate>& parts) const
+  void split(const Element_part& part, const Disk_candidate& candidate, std::vector<Disk_candidate>& parts) const
   {
     const auto add_arc = [&](std::size_t arc, const Range& range) { parts.push_back({Disk_candidate::Kind::ARC, arc, range, m_graph.arcs()[arc].jet(range)}); };
     if (candidate.kind == Disk_candidate::Kind::ARC) {
@@ -343,9 +343,9 @@ private:
       for (const std::size_t child : node.children)
         parts.push_back({Disk_candidate::Kind::NODE, child});
     else if (const Site_tree_2::Item& item = m_tree.item(node); !item.is_arc) {
-      if (const Front& front = m_graph.fronts()[part.front]; !front.is_fan || front.object != item.index)
+      if (const Oriented_element& element = m_graph.elements()[part.element]; !element.is_normal_cone || element.object != item.index)
         parts.push_back({Disk_candidate::Kind::VERTEX, item.index});
-    } else if (m_curvature.is_arc_scaled(item.index) || !(m_graph.is_never_touched(part.front, item.index) || m_separate_faces.hold(part.front, item.index)))
+    } else if (m_curvature.is_arc_scaled(item.index) || !(m_graph.is_never_touched(part.element, item.index) || m_separate_faces.hold(part.element, item.index)))
       add_arc(item.index, Range());
   }
 };

@@ -17,10 +17,10 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Arcs that leave an end of the arc of a front on its other side, if only by a tiny angle.
+Arcs that leave an end of the arc of an element on its other side, if only by a tiny angle.
 
-A disk that touches the front in X, and has none of its arc inside, lies beyond the arc where both are graphs over the tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the front only in ends, if the graph is planar; so where it goes away from P along the tangent, no farther than
-the arc of the front does, no such disk passes through it.
+A disk that touches the element in X, and has none of its arc inside, lies beyond the arc where both are graphs over the tangent in X. An arc that begins in the end P on the other side stays there, as it meets that of the element only in ends, if the graph is planar; so where it goes away from P along the tangent, no farther than
+the arc of the element does, no such disk passes through it.
 */
 template <Enclosing_number Interval>
 class Basic_hidden_arcs
@@ -28,8 +28,8 @@ class Basic_hidden_arcs
   using Interval_pair = std::array<Interval, 2>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
 
   const Site_graph_2& m_graph;
@@ -37,15 +37,15 @@ class Basic_hidden_arcs
 public:
   explicit Basic_hidden_arcs(const Site_graph_2& graph) : m_graph(graph) {}
 
-  // Whether no disk that touches the part of a front, and has no curve inside, passes through a candidate.
-  bool hold(const Front_part& part, const Disk_candidate& candidate) const
+  // Whether no disk that touches the part of an element, and has no curve inside, passes through a candidate.
+  bool hold(const Element_part& part, const Disk_candidate& candidate) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    if (front.is_fan || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == front.object || !m_graph.is_planar())
+    const Oriented_element& element = m_graph.elements()[part.element];
+    if (element.is_normal_cone || candidate.kind != Disk_candidate::Kind::ARC || candidate.index == element.object || !m_graph.is_planar())
       return false;
     for (const bool own_end : {false, true})
       for (const bool end : {false, true})
-        if (const Arc_end own{front.object, own_end}, other{candidate.index, end}; m_graph.vertex_of(own) == m_graph.vertex_of(other) && is_on_other_side(front, own, other) && is_along(part, own, other, candidate.range))
+        if (const Arc_end own{element.object, own_end}, other{candidate.index, end}; m_graph.vertex_of(own) == m_graph.vertex_of(other) && is_on_other_side(element, own, other) && is_along(part, own, other, candidate.range))
           return true;
     return false;
   }
@@ -55,10 +55,10 @@ private:
 
   static Range up_to(const Arc_end& end, double way) { return end.is_end ? Range{1 - way, 1} : Range{0, way}; }
 
-  // Whether an arc leaves the common vertex on the side on which the disks of a front are not.
-  bool is_on_other_side(const Front& front, const Arc_end& own, const Arc_end& other) const
+  // Whether an arc leaves the common vertex on the side on which the disks of an element are not.
+  bool is_on_other_side(const Oriented_element& element, const Arc_end& own, const Arc_end& other) const
   {
-    const int side = front.is_reversed == own.is_end ? 1 : -1;   // of the disks, seen from the vertex: 1 left
+    const int side = element.is_reversed == own.is_end ? 1 : -1;   // of the disks, seen from the vertex: 1 left
     const auto direction = [&](const Arc_end& end) { return sign_away(end) * m_graph.arcs()[end.arc].direction_over({end.parameter(), end.parameter()}); };
     int turn = certain_sign(dot(turned_left(direction(own)), direction(other)));
     if (turn == 0 && m_graph.is_exact(own) && m_graph.is_exact(other))
@@ -66,10 +66,10 @@ private:
     return turn == -side;
   }
 
-  // Whether an arc, up to the end of a range, goes along the tangents of the part from the common vertex on, and the arc of the front does so farther.
-  bool is_along(const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  // Whether an arc, up to the end of a range, goes along the tangents of the part from the common vertex on, and the arc of the element does so farther.
+  bool is_along(const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
   {
-    constexpr double least_way = 1.0 / 8;   // of the arc of the front
+    constexpr double least_way = 1.0 / 8;   // of the arc of the element
     const Site_arc_2 &x = m_graph.arcs()[own.arc], &y = m_graph.arcs()[other.arc];
     const double reached = other.is_end ? range.begin : range.end, way = other.is_end ? 1 - reached : reached, least = (std::max)(least_way, own.is_end ? 1 - part.range.begin : part.range.end);
     if (!(m_graph.are_ends_exact(own.arc) && m_graph.are_ends_exact(other.arc)) && way > 0.5)   // what is cut in a rounded parameter may go on behind a crossing

@@ -29,16 +29,16 @@ If Y is scaled, and both turn by less than a right angle, and have less curvatur
 */
 class Sector_cusp_finder_2
 {
-  static constexpr double least_width = 0x1p-16, given_up_width = 0x1p-6;   // of a front
+  static constexpr double least_width = 0x1p-16, given_up_width = 0x1p-6;   // of an element
   static constexpr int most_halvings = 10;                                  // of arcs, to see that they are far away
 
-  // Disks that touch a part of the front of an arc next to its end, and the distance from the front within which they touch anything when they are scaled.
+  // Disks that touch a part of the element of an arc next to its end, and the distance from the element within which they touch anything when they are scaled.
   struct Disks
   {
     Arc_end own, other;
     double width;
     Interval reach;
-    Interval_pair points;   // of the front
+    Interval_pair points;   // of the element
   };
 
   const Site_graph_2& m_graph;
@@ -48,17 +48,17 @@ class Sector_cusp_finder_2
 public:
   Sector_cusp_finder_2(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature), m_factor(factor(*curvature.scaled_sites())) {}
 
-  Cusps_2 operator()(const std::vector<std::size_t>& fronts) const
+  Cusps_2 operator()(const std::vector<std::size_t>& elements) const
   {
     const Upward_rounding_guard guard;
     Cusps_2 result(m_graph, m_curvature.scaled_sites());
     if (!result.has_cusps())
       return result;
-    for (const std::size_t f : fronts)
-      if (const Front& front = m_graph.fronts()[f]; !front.is_fan)
+    for (const std::size_t f : elements)
+      if (const Oriented_element& element = m_graph.elements()[f]; !element.is_normal_cone)
         for (const bool is_end : {false, true}) {
-          const Arc_end own{front.object, is_end};
-          if (const std::vector<Arc_end> others = others_beside(front, own); !others.empty())
+          const Arc_end own{element.object, is_end};
+          if (const std::vector<Arc_end> others = others_beside(element, own); !others.empty())
             result.set_side(f, is_end, others.size() == 1 ? side(f, own, others[0]) : Cusp_side{range_at(own, given_up_width), std::nullopt, std::nullopt});
         }
     add_scaled_sides(result);
@@ -66,16 +66,16 @@ public:
   }
 
 private:
-  // Without a factor, disks in a cusp between scaled arcs touch these and no other front. A scaled disk that touches one of them on that side is a part of its disk there: it would have the front inside.
+  // Without a factor, disks in a cusp between scaled arcs touch these and no other element. A scaled disk that touches one of them on that side is a part of its disk there: it would have the element inside.
   void add_scaled_sides(Cusps_2& result) const
   {
     const Site_tree_2 tree(m_graph);
     const Cusp_finder_2 finder(m_graph, tree);
-    for (std::size_t f = 0; f < m_graph.fronts().size(); ++f)
+    for (std::size_t f = 0; f < m_graph.elements().size(); ++f)
       for (const bool is_end : {false, true})
-        if (const Front& front = m_graph.fronts()[f]; !front.is_fan && m_curvature.is_arc_scaled(front.object))
-          if (const auto other = m_graph.across_cusp(front, {front.object, is_end}); other && m_curvature.is_arc_scaled(other->arc))
-            result.set_side(f, is_end, finder.side(f, {front.object, is_end}));
+        if (const Oriented_element& element = m_graph.elements()[f]; !element.is_normal_cone && m_curvature.is_arc_scaled(element.object))
+          if (const auto other = m_graph.across_cusp(element, {element.object, is_end}); other && m_curvature.is_arc_scaled(other->arc))
+            result.set_side(f, is_end, finder.side(f, {element.object, is_end}));
   }
 
   static Interval factor(const Scaled_sites& sites)
@@ -85,33 +85,33 @@ private:
   }
 
   // Those that leave in the same direction, but not an arc behind, if it is the only one and not scaled.
-  std::vector<Arc_end> others_beside(const Front& front, const Arc_end& own) const
+  std::vector<Arc_end> others_beside(const Oriented_element& element, const Arc_end& own) const
   {
     std::vector<Arc_end> result;
     for (const Arc_end& end : m_graph.vertices()[m_graph.vertex_of(own)].ends)
       if (end != own && are_same_directions(m_graph.direction(own), m_graph.direction(end)))
         result.push_back(end);
-    if (result.size() == 1 && !m_curvature.is_arc_scaled(result[0].arc) && m_graph.across_cusp(front, own) != result[0])
+    if (result.size() == 1 && !m_curvature.is_arc_scaled(result[0].arc) && m_graph.across_cusp(element, own) != result[0])
       result.clear();
     return result;
   }
 
-  Cusp_side side(std::size_t front, const Arc_end& own, const Arc_end& other) const
+  Cusp_side side(std::size_t element, const Arc_end& own, const Arc_end& other) const
   {
     for (double width = 0.5; width >= least_width; width /= 2)
-      if (const auto contact = settled(front, own, other, width))
-        return {range_at(own, width), contact, std::nullopt};
+      if (const auto footpoint = settled(element, own, other, width))
+        return {range_at(own, width), footpoint, std::nullopt};
     return {range_at(own, given_up_width), std::nullopt, std::nullopt};
   }
 
-  // The contact of all disks that touch the front nearer to the vertex than some width, if that is proved.
-  std::optional<Located_contact> settled(std::size_t f, const Arc_end& own, const Arc_end& other, double width) const
+  // The footpoint of all disks that touch the element nearer to the vertex than some width, if that is proved.
+  std::optional<Located_footpoint> settled(std::size_t f, const Arc_end& own, const Arc_end& other, double width) const
   {
-    const Front& front = m_graph.fronts()[f];
+    const Oriented_element& element = m_graph.elements()[f];
     const bool is_scaled = m_curvature.is_arc_scaled(other.arc);
-    const Front_part part = m_curvature.part(f, range_at(own, width));
+    const Element_part part = m_curvature.part(f, range_at(own, width));
     const Interval square = squared_norm(part.jet.normal), normal = CGAL::sqrt(square.inf() > 0 ? square : Interval(0, square.sup()));
-    const auto cusp = is_scaled ? Cusp_width::of_scaled(m_graph, own, other, (m_factor - Interval(1)) * normal, width) : Cusp_width::of(m_graph, own, other, front.is_reversed == own.is_end, width);
+    const auto cusp = is_scaled ? Cusp_width::of_scaled(m_graph, own, other, (m_factor - Interval(1)) * normal, width) : Cusp_width::of(m_graph, own, other, element.is_reversed == own.is_end, width);
     if (!cusp)
       return std::nullopt;
     const Corner_of_disks corner{own.parameter(), cusp->curvature, cusp->power};
@@ -121,12 +121,12 @@ private:
     if (!touch_nothing_else({own, other, width, (Interval(1) + m_factor) * radius, points}))
       return std::nullopt;
     if (!is_scaled)
-      return Located_contact{};
+      return Located_footpoint{};
     const Range range = range_beside(own, other, width);
-    const auto is_flat = [&](std::size_t front_of_other) { return is_bent_less(m_graph, m_curvature.part(front_of_other, range), other.arc, (Interval(1) / (m_factor * radius)).inf()); };
+    const auto is_flat = [&](std::size_t element_of_other) { return is_bent_less(m_graph, m_curvature.part(element_of_other, range), other.arc, (Interval(1) / (m_factor * radius)).inf()); };
     if (!is_bent_less(m_graph, m_curvature.part(f, range_beside(own, own, width)), own.arc, (Interval(1) / radius).inf()) || !is_flat(2 * other.arc) || !is_flat(2 * other.arc + 1))   // the order of arcs may not be known
       return std::nullopt;
-    return Located_contact{{Disk_contact::Kind::ARC, other.arc, 0}, range, least, corner};
+    return Located_footpoint{{Disk_footpoint::Kind::ARC, other.arc, 0}, range, least, corner};
   }
 
   // About twice the width next to an end of an arc in the cusp: the rest of the arc is farther away than the disks.
@@ -182,7 +182,7 @@ private:
     return std::nullopt;
   }
 
-  // Whether in the direction of a normal each point of the front is farther from the vertex than its disk reaches.
+  // Whether in the direction of a normal each point of the element is farther from the vertex than its disk reaches.
   bool go_away(const Disks& disks, const Interval_pair& normal) const
   {
     const Interval_pair derivative = outward(disks.own, m_graph.arcs()[disks.own.arc].jet(range_at(disks.own, disks.width), 1)[1]);

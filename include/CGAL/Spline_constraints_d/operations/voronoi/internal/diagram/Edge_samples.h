@@ -40,23 +40,23 @@ class Edge_samples
 public:
   Edge_samples(const Site_graph_2& graph, const Disk_diagram& diagram) : m_graph(graph), m_diagram(diagram) {}
 
-  // The disk that touches the front of a part in a point.
+  // The disk that touches the element of a part in a point.
   Sample operator()(const Part& part, double u) const
   {
-    const Front& front = m_diagram.front(part);
-    const Disk_contact& contact = m_diagram.stretch(part).contact;
-    const Stretch_disks::Disk disk = m_diagram.estimated_disk(part, u);
-    const std::array<double, 2> parameters{curve_parameter(front.is_fan, front.object, u), curve_parameter(contact.kind == Disk_contact::Kind::VERTEX, contact.index, disk.parameter)};
+    const Oriented_element& element = m_diagram.element(part);
+    const Disk_footpoint& footpoint = m_diagram.envelope_arc(part).footpoint;
+    const Envelope_arc_disks::Disk disk = m_diagram.estimated_disk(part, u);
+    const std::array<double, 2> parameters{curve_parameter(element.is_normal_cone, element.object, u), curve_parameter(footpoint.kind == Disk_footpoint::Kind::VERTEX, footpoint.index, disk.parameter)};
     if (disk.is_point)
       return {middle(disk.center), 0, parameters, {0, 0}};
-    const Front_jet x = m_graph.front_jet(front, {u, u});
+    const Element_jet x = m_graph.element_jet(element, {u, u});
     const Interval radius = radius_of_disk(x.normal, disk.bounds);
     const Bounds bounds{radius.inf(), radius.sup()};
     if (!std::isfinite(disk.curvature.sup() - disk.curvature.inf()))   // a corner
       return {middle(x.point), 0, parameters, bounds};
     if (!(disk.curvature.inf() > 0))
       return {Point(0, 0), infinity, parameters, bounds};
-    // one number for the curvature, whatever its bounds: so the disk touches the front
+    // one number for the curvature, whatever its bounds: so the disk touches the element
     const Interval curvature(std::clamp(middle(disk.curvature), disk.bounds.inf(), disk.bounds.sup()));
     return {middle(with_curvature(x, curvature)), middle(radius_of_disk(x.normal, curvature)), parameters, bounds};
   }
@@ -64,7 +64,7 @@ public:
   // Appends the samples of a part that are not too far away.
   void append(const Part& part, double error, double most_radius, std::vector<Sample>& samples) const
   {
-    if (m_diagram.stretch(part).corner) {
+    if (m_diagram.envelope_arc(part).corner) {
       append_corner(part, most_radius, samples);
       return;
     }
@@ -93,7 +93,7 @@ private:
   // The centers of the disks in a pocket are on a line, up to rounding: from the corner to the disk at the other end, or as far as radii go.
   void append_corner(const Part& part, double most_radius, std::vector<Sample>& samples) const
   {
-    const bool is_end = m_diagram.stretch(part).corner->is_end != m_diagram.front(part).is_reversed;   // of the traversal
+    const bool is_end = m_diagram.envelope_arc(part).corner->is_end != m_diagram.element(part).is_reversed;   // of the traversal
     const double u = m_diagram.end_parameter(part, is_end);
     Sample corner = (*this)(part, u);
     corner.radius_bounds = {0, 0};
@@ -105,16 +105,16 @@ private:
     samples.push_back(is_end ? corner : last);
   }
 
-  // The disk of a given radius between a smaller one and a larger one, which touch the front in the same point up to rounding.
+  // The disk of a given radius between a smaller one and a larger one, which touch the element in the same point up to rounding.
   Sample with_radius(const Part& part, double u, double radius, const Sample& smaller, const Sample& larger) const
   {
-    const Front_jet x = m_graph.front_jet(m_diagram.front(part), {u, u});
+    const Element_jet x = m_graph.element_jet(m_diagram.element(part), {u, u});
     const bool is_between = smaller.radius_bounds[1] <= radius && radius <= larger.radius_bounds[0];
     const Bounds bounds = is_between ? Bounds{radius, radius} : Bounds{(std::min)(smaller.radius_bounds[0], larger.radius_bounds[0]), (std::max)(smaller.radius_bounds[1], larger.radius_bounds[1])};
     return {middle(with_curvature(x, CGAL::sqrt(squared_norm(x.normal)) / Interval(radius))), radius, larger.parameters, bounds};
   }
 
-  static Interval_pair with_curvature(const Front_jet& x, const Interval& k) { return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k}; }
+  static Interval_pair with_curvature(const Element_jet& x, const Interval& k) { return {x.point[0] + x.normal[0] / k, x.point[1] + x.normal[1] / k}; }
 
   double curve_parameter(bool is_point, std::size_t arc, double u) const { return is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph.curve_parameter(arc, u); }
 

@@ -39,15 +39,15 @@ struct Basic_vertex_bounds
 using Vertex_bounds = Basic_vertex_bounds<Interval>;
 
 /*
-Bounds of the disk of a vertex, which is the disk of an event on each of the fronts around it: it touches them between the stretches that end there. Two such points that are apart determine it: k(u,v) of one front, over that range of u, with the range of the other one for v. In the end of an edge, where both points come
-together, it has the curvature of the front, and where two fronts join, the greater one of theirs.
+Bounds of the disk of a vertex, which is the disk of an event on each of the elements around it: it touches them between the envelope arcs that end there. Two such points that are apart determine it: k(u,v) of one element, over that range of u, with the range of the other one for v. In the end of an edge, where both points come
+together, it has the curvature of the element, and where two elements join, the greater one of theirs.
 */
 template <Enclosing_number Interval>
 class Basic_vertex_disk
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Vertex_bounds = Basic_vertex_bounds<Interval>;
 
   const Site_graph_2& m_graph;
@@ -56,52 +56,52 @@ class Basic_vertex_disk
 public:
   Basic_vertex_disk(const Site_graph_2& graph, const Disk_curvature& curvature) : m_graph(graph), m_curvature(curvature) {}
 
-  // Where it touches fronts.
-  Vertex_bounds by_contacts(const std::vector<Front_range>& contacts) const
+  // Where it touches elements.
+  Vertex_bounds by_footpoints(const std::vector<Element_range>& footpoints) const
   {
     Vertex_bounds result;
-    for (const Front_range& contact : contacts) {
-      const Front_part part = m_curvature.part(contact.front, contact.range);
-      for (const Front_range& other : contacts)
+    for (const Element_range& footpoint : footpoints) {
+      const Element_part part = m_curvature.part(footpoint.element, footpoint.range);
+      for (const Element_range& other : footpoints)
         if (are_apart(part, other))
           add(result, part, curvature(part, other));
     }
     return result;
   }
 
-  // Where the fronts of both sides of an edge meet; of a fan and an arc, in the end of that.
-  Vertex_bounds by_curvatures(const std::array<Front_range, 2>& sides) const
+  // Where the elements of both sides of an edge meet; of a normal cone and an arc, in the end of that.
+  Vertex_bounds by_curvatures(const std::array<Element_range, 2>& sides) const
   {
     const Vertex_bounds a = by_curvature(sides[0]), b = by_curvature(sides[1]);
-    const auto is_fan = [&](const Front_range& side) { return m_graph.fronts()[side.front].is_fan; };
-    if (is_fan(sides[0]) || is_fan(sides[1]))
-      return is_fan(sides[0]) ? b : a;
+    const auto is_normal_cone = [&](const Element_range& side) { return m_graph.elements()[side.element].is_normal_cone; };
+    if (is_normal_cone(sides[0]) || is_normal_cone(sides[1]))
+      return is_normal_cone(sides[0]) ? b : a;
     if (sides[0].range.is_number() && sides[1].range.is_number() && (a.radius.sup() < b.radius.inf() || b.radius.sup() < a.radius.inf()))
       return a.radius.sup() < b.radius.inf() ? a : b;
     return {{hull(a.center[0], b.center[0]), hull(a.center[1], b.center[1])}, hull(a.radius, b.radius)};
   }
 
 private:
-  Vertex_bounds by_curvature(const Front_range& side) const
+  Vertex_bounds by_curvature(const Element_range& side) const
   {
     Vertex_bounds result;
-    if (m_graph.fronts()[side.front].is_fan)
+    if (m_graph.elements()[side.element].is_normal_cone)
       return result;
-    const Front_part part = m_curvature.part(side.front, side.range);
+    const Element_part part = m_curvature.part(side.element, side.range);
     add(result, part, curvature(part, side));
     return result;
   }
 
-  bool are_apart(const Front_part& part, const Front_range& other) const { return squared_norm(part.jet.point - m_graph.front_jet(m_graph.fronts()[other.front], other.range).point).inf() > 0; }
+  bool are_apart(const Element_part& part, const Element_range& other) const { return squared_norm(part.jet.point - m_graph.element_jet(m_graph.elements()[other.element], other.range).point).inf() > 0; }
 
-  // Of the disks that touch a front, and another one, or the same one there.
-  Interval curvature(const Front_part& part, const Front_range& other) const
+  // Of the disks that touch an element, and another one, or the same one there.
+  Interval curvature(const Element_part& part, const Element_range& other) const
   {
-    const auto& front = m_graph.fronts()[other.front];
-    return front.is_fan ? m_curvature(part, front.object).value : m_curvature(part, front.object, other.range, m_graph.arcs()[front.object].jet(other.range)).value;
+    const auto& element = m_graph.elements()[other.element];
+    return element.is_normal_cone ? m_curvature(part, element.object).value : m_curvature(part, element.object, other.range, m_graph.arcs()[element.object].jet(other.range)).value;
   }
 
-  static void add(Vertex_bounds& result, const Front_part& part, const Interval& k)
+  static void add(Vertex_bounds& result, const Element_part& part, const Interval& k)
   {
     result.radius = common_part(result.radius, radius_of_disk(part.jet.normal, k));
     for (std::size_t i = 0; i < 2 && k.inf() > 0; ++i)
@@ -130,11 +130,11 @@ inline Vertex_bounds vertex_bounds(const Site_graph_2& graph, const Disk_diagram
     return {};
   if (const auto simple = bounds_of_circle_or_corner(graph, diagram, vertex))
     return *simple;
-  std::vector<Front_range> contacts;
+  std::vector<Element_range> footpoints;
   for (const std::size_t h : vertex.outgoing)
-    contacts.push_back(diagram.range_of_end(h, false));
+    footpoints.push_back(diagram.range_of_end(h, false));
   const std::size_t twin = diagram.halfedges()[vertex.outgoing.front()].twin;
-  const auto bounds = [&](const auto& on_level) { return contacts.size() == 1 ? on_level.by_curvatures({contacts[0], diagram.range_of_end(twin, true)}) : on_level.by_contacts(contacts); };
+  const auto bounds = [&](const auto& on_level) { return footpoints.size() == 1 ? on_level.by_curvatures({footpoints[0], diagram.range_of_end(twin, true)}) : on_level.by_footpoints(footpoints); };
   const Disk_curvature curvature(graph);
   const Vertex_bounds result = bounds(Basic_vertex_disk<Interval>(graph, curvature));
   if (result.are_narrow())

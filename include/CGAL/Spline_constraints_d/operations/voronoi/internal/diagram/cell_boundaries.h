@@ -28,7 +28,7 @@ template <class Is_inside>
 class Cell_boundaries
 {
   const Disk_diagram& m_diagram;
-  const Is_inside& m_is_inside;   // of a halfedge: whether its front is one of the sites
+  const Is_inside& m_is_inside;   // of a halfedge: whether its element is one of the sites
 
 public:
   Cell_boundaries(const Disk_diagram& diagram, const Is_inside& is_inside) : m_diagram(diagram), m_is_inside(is_inside) {}
@@ -64,7 +64,7 @@ private:
     return result;
   }
 
-  // Fronts are traversed with the centers of disks on the left, so that the cells are on the right of halfedges: the boundary goes on with what comes before, past edges between two of the sites.
+  // Elements are traversed with the centers of disks on the left, so that the cells are on the right of halfedges: the boundary goes on with what comes before, past edges between two of the sites.
   // It ends at infinity, at what is not resolved, and where the foot goes over to another site.
   std::size_t next_on_boundary(std::size_t h) const
   {

@@ -16,10 +16,10 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disks that touch a front from inside of a circle, and that circle: their curvature K(u) has a closed form, and the disk through a point Y(v) with the curvature k(u,v) = 2 <N, Y - X> / |Y - X|^2 has nearly the same one where it is nearly that circle. The difference k - K is a quotient
+The disks that touch an element from inside of a circle, and that circle: their curvature K(u) has a closed form, and the disk through a point Y(v) with the curvature k(u,v) = 2 <N, Y - X> / |Y - X|^2 has nearly the same one where it is nearly that circle. The difference k - K is a quotient
 f / |Y - X|^2 with a small f, which is not obtained as a difference of large numbers. With the center C, the radius R and W = X - C,
 
-- where the front lies on the circle, K = |N| / R and f = K (R^2 - |Y - C|^2);
+- where the element lies on the circle, K = |N| / R and f = K (R^2 - |Y - C|^2);
 - where the point does, f = 2 (<Y - C, Q> - R |Q|), where Q = K W + N, with |Q| = K R - |N|, points from C to the center of the disk. With L = |W|, the cross product c of W and N, q = R^2 - L^2 and m = L |N| - <W, N>,
 
     |Q| = |N| q / (R + L)^2 + 2 R c^2 / (q m),
@@ -30,7 +30,7 @@ template <Enclosing_number Interval>
 class Basic_circle_disks
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Front_jet = Basic_front_jet<Interval>;
+  using Element_jet = Basic_element_jet<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
@@ -39,14 +39,14 @@ class Basic_circle_disks
 
   Interval_pair m_center;
   Interval m_radius;
-  bool m_is_front;
+  bool m_is_element;
   Interval m_curvature, m_curvature_derivative;                     // K, K_u
   Interval m_way{0}, m_way_derivative{0};                           // |Q|, |Q|_u
   Interval_pair m_direction{Interval(0), Interval(0)}, m_direction_derivative{Interval(0), Interval(0)};   // Q, Q_u
 
 public:
-  // Of a front on a circle.
-  static Basic_circle_disks of_front(const Front_jet& x, const Site_arc_2& circle)
+  // Of an element on a circle.
+  static Basic_circle_disks of_element(const Element_jet& x, const Site_arc_2& circle)
   {
     Basic_circle_disks result(circle, true);
     const Interval length = CGAL::sqrt(squared_norm(x.normal));
@@ -55,8 +55,8 @@ public:
     return result;
   }
 
-  // Of points on a circle around one point of the front; nothing if the disk is not nearly concentric with that.
-  static std::optional<Basic_circle_disks> of_points(const Front_jet& x, const Site_arc_2& circle)
+  // Of points on a circle around one point of the element; nothing if the disk is not nearly concentric with that.
+  static std::optional<Basic_circle_disks> of_points(const Element_jet& x, const Site_arc_2& circle)
   {
     if (!(squared_norm(x.point - circle.center()).sup() < circle.squared_radius().inf()))   // most are not inside: this is cheap
       return std::nullopt;
@@ -64,8 +64,8 @@ public:
     return result.set_disk_through_points(x, result.quotient_of_points(x)) && CGAL::square(result.m_way).sup() < (Interval(most_ratio) * squared_norm(x.normal)).inf() ? std::optional(result) : std::nullopt;
   }
 
-  // The same over a part of the front, by mean value forms around that point; nothing if the part is too long for them.
-  std::optional<Basic_circle_disks> over(const Front_jet& x, const Front_jet& middle, const Interval& shift) const
+  // The same over a part of the element, by mean value forms around that point; nothing if the part is too long for them.
+  std::optional<Basic_circle_disks> over(const Element_jet& x, const Element_jet& middle, const Interval& shift) const
   {
     Basic_circle_disks result = *this;
     if (!result.set_disk_through_points(x, quotient_of_points(x).around(quotient_of_points(middle), shift, Interval(0))))
@@ -86,7 +86,7 @@ public:
   {
     const Interval two(2);
     const Interval_pair from_center = point - m_center;
-    if (m_is_front) {
+    if (m_is_element) {
       const Interval inside = CGAL::square(m_radius) - squared_norm(from_center), along = two * dot(tangent, from_center);
       k.f = m_curvature * inside;
       k.fu = m_curvature_derivative * inside;
@@ -104,10 +104,10 @@ public:
   }
 
 private:
-  Basic_circle_disks(const Site_arc_2& circle, bool is_front) : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_front(is_front) {}
+  Basic_circle_disks(const Site_arc_2& circle, bool is_element) : m_center(circle.center()), m_radius(CGAL::sqrt(circle.squared_radius())), m_is_element(is_element) {}
 
   // K = 2 (R |N| + <W, N>) / (R^2 - |W|^2).
-  Curvature_quotient quotient_of_points(const Front_jet& x) const
+  Curvature_quotient quotient_of_points(const Element_jet& x) const
   {
     const Interval two(2), length = CGAL::sqrt(squared_norm(x.normal));
     const Interval_pair w = x.point - m_center;
@@ -120,7 +120,7 @@ private:
   }
 
   // With what the quotient tells of K, more over long parts than the sum does. Returns whether all numbers are known.
-  bool set_disk_through_points(const Front_jet& x, const Curvature_quotient& quotient)
+  bool set_disk_through_points(const Element_jet& x, const Curvature_quotient& quotient)
   {
     const Interval two(2), n = CGAL::sqrt(squared_norm(x.normal)), n_u = dot(x.normal, x.normal_derivative) / n;
     const Interval_pair w = x.point - m_center;

@@ -24,7 +24,7 @@ using Common::hull;
 using Common::in_doubles;
 
 /*
-Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the front it touches and by that of the point v it passes through.
+Enclosures of the curvature of a disk and of its derivatives, by the parameter u of the element it touches and by that of the point v it passes through.
 
 Along an arc with X' = m D, where m >= 0 is zero in the ends, k_v is zero there, whatever the disk. There k_v / m takes the place of k_v: it has the same sign in the inside, and in the ends it tells where k grows. Then dv = k_v / m, and dvv and duv are its derivatives. Where it falls with v, k has one maximum. For other arcs m = 1.
 */
@@ -33,7 +33,7 @@ struct Basic_curvature_bounds
 {
   Interval value = any_number<Interval>(), du = any_number<Interval>(), dv = any_number<Interval>(), dvv = any_number<Interval>(), duv = any_number<Interval>();
   Interval factor{1};             // m
-  bool is_below_vertex = false;   // another point, a common vertex of front and arc, has a larger curvature, or all are negative
+  bool is_below_vertex = false;   // another point, a common vertex of element and arc, has a larger curvature, or all are negative
 };
 
 using Curvature_bounds = Basic_curvature_bounds<Interval>;
@@ -44,26 +44,26 @@ Basic_curvature_bounds<Interval> hull(const Basic_curvature_bounds<Interval>& a,
   return {hull(a.value, b.value), hull(a.du, b.du), hull(a.dv, b.dv), hull(a.dvv, b.dvv), hull(a.duv, b.duv), hull(a.factor, b.factor), a.is_below_vertex && b.is_below_vertex};
 }
 
-// A part of a front, with enclosures.
+// A part of an element, with enclosures.
 template <Enclosing_number Interval>
-struct Basic_front_part
+struct Basic_element_part
 {
-  using Front_jet = Basic_front_jet<Interval>;
+  using Element_jet = Basic_element_jet<Interval>;
 
-  std::size_t front;
+  std::size_t element;
   Range range;
-  Front_jet jet;
+  Element_jet jet;
 };
 
-using Front_part = Basic_front_part<Interval>;
+using Element_part = Basic_element_part<Interval>;
 
-inline const Front_part& in_doubles(const Front_part& part) { return part; }
+inline const Element_part& in_doubles(const Element_part& part) { return part; }
 
 template <Enclosing_number Number>
-Front_part in_doubles(const Basic_front_part<Number>& part)
+Element_part in_doubles(const Basic_element_part<Number>& part)
 {
   const auto& [point, point_derivative, normal, normal_derivative] = part.jet;
-  return {part.front, part.range, {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
+  return {part.element, part.range, {in_doubles(point), in_doubles(point_derivative), in_doubles(normal), in_doubles(normal_derivative)}};
 }
 
 template <Enclosing_number Interval>
@@ -80,14 +80,14 @@ Basic_curvature_bounds<Interval> common_part(const Basic_curvature_bounds<Interv
   return result;
 }
 
-// Derivatives of a front beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u = speed M; p = <M, Y - X>, and p_v / m.
+// Derivatives of an element beside a point Y, where M is the normal turned left: N_u = growth N + turn M and X_u = speed M; p = <M, Y - X>, and p_v / m.
 template <Enclosing_number Interval>
-struct Basic_front_turn
+struct Basic_element_turn
 {
   Interval growth = any_number<Interval>(), turn = any_number<Interval>(), speed = any_number<Interval>(), p = any_number<Interval>(), pv = any_number<Interval>();
 
   // For a point at the end of a way, which moves with the derivative m times a tangent.
-  static Basic_front_turn beside(const Basic_front_jet<Interval>& x, const std::array<Interval, 2>& way, const std::array<Interval, 2>& tangent)
+  static Basic_element_turn beside(const Basic_element_jet<Interval>& x, const std::array<Interval, 2>& way, const std::array<Interval, 2>& tangent)
   {
     const Interval square = squared_norm(x.normal);
     if (!(square.inf() > 0))
@@ -103,7 +103,7 @@ struct Basic_curvature_quotient
 {
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
-  using Front_turn = Basic_front_turn<Interval>;
+  using Element_turn = Basic_element_turn<Interval>;
 
   Interval f{0}, q{0}, fu{0}, qu{0}, fv{0}, qv{0}, fvv{0}, qvv{0}, fuv{0}, quv{0};
   Interval factor{1};   // m
@@ -134,28 +134,28 @@ struct Basic_curvature_quotient
   }
 
   /*
-  As above, within the mean value forms around the middle of the ranges. Each bound is as good as the others: f_v - k q_v has terms that cancel, as where disks are nearly those of the curvature of the arc, of which the mean value form shows the difference if f_vv - k q_vv is known. Beside a front
+  As above, within the mean value forms around the middle of the ranges. Each bound is as good as the others: f_v - k q_v has terms that cancel, as where disks are nearly those of the curvature of the arc, of which the mean value form shows the difference if f_vv - k q_vv is known. Beside an element
 
     k_u = growth k + 2 (turn + speed k) p / q.
 
-  Where disks are nearly those of the curvature of the front, as next to a smooth joint and on its own arc, turn + speed k is small, which differences of f_u and k q_u do not show.
+  Where disks are nearly those of the curvature of the element, as next to a smooth joint and on its own arc, turn + speed k is small, which differences of f_u and k q_u do not show.
   */
-  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v, const std::optional<Front_turn>& front = std::nullopt) const
+  Curvature_bounds bounds_around(const Curvature_bounds& middle, const Interval& shift_u, const Interval& shift_v, const std::optional<Element_turn>& element = std::nullopt) const
   {
     Curvature_bounds k = bounds();
     if (!(q.inf() > 0 && std::isfinite(k.dvv.sup() - k.dvv.inf())))
       return k;
     const Interval two(2);
-    const bool is_turn_known = front && std::isfinite(front->turn.sup() - front->turn.inf());
+    const bool is_turn_known = element && std::isfinite(element->turn.sup() - element->turn.inf());
     const auto tighten = [&] {
       k.du = common_part(k.du, (fu - k.value * qu) / q);
       k.value = common_part(k.value, middle.value + k.du * shift_u + factor * k.dv * shift_v);
       k.dvv = common_part(k.dvv, (fvv - k.value * qvv - two * factor * k.dv * qv) / q);
       k.duv = common_part(k.duv, (fuv - k.du * qv - k.dv * qu - k.value * quv) / q);
       if (is_turn_known) {
-        const Interval s = front->p / q, sv = (front->pv - s * qv) / q, turn = front->turn + front->speed * k.value;
-        k.du = common_part(k.du, front->growth * k.value + two * turn * s);
-        k.duv = common_part(k.duv, front->growth * k.dv + two * (front->speed * k.dv * s + turn * sv));
+        const Interval s = element->p / q, sv = (element->pv - s * qv) / q, turn = element->turn + element->speed * k.value;
+        k.du = common_part(k.du, element->growth * k.value + two * turn * s);
+        k.duv = common_part(k.duv, element->growth * k.dv + two * (element->speed * k.dv * s + turn * sv));
       }
       k.dv = common_part(k.dv, middle.dv + k.duv * shift_u + k.dvv * shift_v);
     };

@@ -12,7 +12,7 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The curvature of the disk that touches a contact, and its derivative, in the middle of a part; and its derivatives over the part.
+// The curvature of the disk that touches a footpoint, and its derivative, in the middle of a part; and its derivatives over the part.
 template <Enclosing_number Interval>
 struct Basic_curvature_expansion
 {

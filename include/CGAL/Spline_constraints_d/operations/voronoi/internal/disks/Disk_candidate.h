@@ -30,7 +30,7 @@ struct Basic_disk_candidate
   std::size_t index;
   Range range{};
   Curve_jet jet{};              // of an arc
-  Curvature_bounds bounds{};    // over a part of a front and the range
+  Curvature_bounds bounds{};    // over a part of an element and the range
   Interval at_middle = any_number<Interval>();   // the curvature for the middles of both
 };
 

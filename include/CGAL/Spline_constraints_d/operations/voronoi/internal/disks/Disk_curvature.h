@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Circle_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fan_disks.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Normal_cone_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Scaled_sites.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disk that touches a front in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the center X + N / k with the curvature
+The disk that touches an element in X(u), with the normal N(u), and passes through the point Y(v) of an arc has the center X + N / k with the curvature
 
   k(u,v) = 2 <N, Y - X> / |Y - X|^2.
 
@@ -45,16 +45,16 @@ class Basic_disk_curvature
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_jet = Basic_front_jet<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_jet = Basic_element_jet<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Smooth_continuation = Basic_smooth_continuation<Interval>;
   using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
   using Circle_disks = Basic_circle_disks<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
-  using Front_turn = Basic_front_turn<Interval>;
-  using Fan_disks = Basic_fan_disks<Interval>;
+  using Element_turn = Basic_element_turn<Interval>;
+  using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
   using Scaled_sites = Basic_scaled_sites<Interval>;
 
   static constexpr double small = 0x1p-16;  // ranges over which rounding matters
@@ -62,7 +62,7 @@ class Basic_disk_curvature
   static constexpr double near = 0x1p-4;   // the ends of an arc, where differences of points are not accurate
 
   const Site_graph_2& m_graph;
-  const Scaled_sites* m_scaled;   // none, or some sites, but none of a front in question
+  const Scaled_sites* m_scaled;   // none, or some sites, but none of an element in question
 
 public:
   explicit Basic_disk_curvature(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
@@ -72,20 +72,20 @@ public:
   bool is_vertex_scaled(std::size_t vertex) const { return m_scaled != nullptr && m_scaled->vertices[vertex]; }
 
   // How an arc goes on for the disks of a part, if both are scaled or neither is: with one maximum of the curvature for both. The arc that goes on has this one as its own continuation.
-  std::optional<Arc_end> continuation(const Front_part& part, const Arc_end& end) const
+  std::optional<Arc_end> continuation(const Element_part& part, const Arc_end& end) const
   {
     const auto next = next_on_side_of(part, end);
     return next && is_arc_scaled(end.arc) == is_arc_scaled(next->arc) && next_on_side_of(part, *next) == end ? next : std::nullopt;
   }
 
-  Front_part part(std::size_t front, const Range& range) const { return {front, range, m_graph.front_jet(m_graph.fronts()[front], range)}; }
+  Element_part part(std::size_t element, const Range& range) const { return {element, range, m_graph.element_jet(m_graph.elements()[element], range)}; }
 
-  // From the front to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
-  Interval_pair way(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  // From the element to an arc; also by way of their nearer ends, or of one that both have in common, which is as accurate as the ways are short.
+  Interval_pair way(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     Interval_pair result = jet[0] - part.jet.point;
-    if (is_accurate(result) || (!front.is_fan && front.object == arc))
+    if (is_accurate(result) || (!element.is_normal_cone && element.object == arc))
       return result;
     for (const bool end : {false, true})
       if (const Arc_end other{arc, end}; m_graph.is_exact(other))
@@ -94,64 +94,64 @@ public:
     return result;
   }
 
-  // Over a part of a front and a range of an arc, with the enclosures of that.
-  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
+  // Over a part of an element and a range of an arc, with the enclosures of that.
+  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const
   {
     if (part.range.is_number() && range.is_number() && is_arc_scaled(arc))
       return of_scaled_disk(quotient(part, arc, range, jet), part);
     if (part.range.is_number() && range.is_number())
       return with_what_is_common(quotient(part, arc, range, jet).bounds(), part, arc, range, jet, part, jet);
     const double u = part.range.middle(), v = range.middle();
-    return (*this)(part, arc, range, jet, this->part(part.front, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
+    return (*this)(part, arc, range, jet, this->part(part.element, {u, u}), m_graph.arcs()[arc].jet({v, v}, 2));
   }
 
   // The same with the enclosures in the middles of both ranges, for mean value forms: <N, Y - X> is small beside both factors where curves are nearly parallel.
-  Curvature_bounds operator()(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  Curvature_bounds operator()(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
   {
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(range.middle());
     const bool is_small = (std::max)(part.range.width(), range.width()) < small;
     const Range at_middle{range.middle(), range.middle()};
-    const auto way_of = [&](const Front_part& x, const Range& y, const Curve_jet& jet_of_y) { return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point; };
+    const auto way_of = [&](const Element_part& x, const Range& y, const Curve_jet& jet_of_y) { return is_small ? way(x, arc, y, jet_of_y) : jet_of_y[0] - x.jet.point; };
     const Interval_pair whole_way = way_of(part, range, jet);
     const Curvature_quotient in_middle = quotient(middle.jet, arc, at_middle, jet_in_middle, way_of(middle, at_middle, jet_in_middle)), k = quotient(part.jet, arc, range, jet, whole_way).around(in_middle, shift_u, shift_v);
     if (is_arc_scaled(arc))
       return of_scaled_disk(k, part);
     const Curvature_bounds bounds = k.bounds();
     const bool is_maximum_known = certain_sign(bounds.dv) != 0 || bounds.dvv.sup() < 0;   // if there is one
-    if (is_maximum_known && !(is_small && is_beside_front(part.front, arc)))
+    if (is_maximum_known && !(is_small && is_beside_element(part.element, arc)))
       return with_what_is_common(bounds, part, arc, range, jet, middle, jet_in_middle);
     const Site_arc_2& y = m_graph.arcs()[arc];
-    const auto turn = m_graph.fronts()[part.front].is_fan ? std::nullopt : std::optional(Front_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
+    const auto turn = m_graph.elements()[part.element].is_normal_cone ? std::nullopt : std::optional(Element_turn::beside(part.jet, whole_way, y.has_singular_end() ? y.tangent_jet(range)[0] : jet[1]));
     return with_what_is_common(k.bounds_around(in_middle.bounds(), shift_u, shift_v, turn), part, arc, range, jet, middle, jet_in_middle);
   }
 
   // The disks that pass through a vertex.
-  Curvature_bounds operator()(const Front_part& part, std::size_t vertex) const
+  Curvature_bounds operator()(const Element_part& part, std::size_t vertex) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     const Interval_pair zero{Interval(0), Interval(0)};
     if (is_vertex_scaled(vertex))
       return of_scaled_disk(quotient(part.jet, m_graph.vertices()[vertex].point - part.jet.point, zero, zero, Interval(1)), part);
-    const auto through_vertex = [&](const Front_part& x, const Interval_pair& way) { return quotient(x.jet, way, zero, zero, Interval(1)); };
+    const auto through_vertex = [&](const Element_part& x, const Interval_pair& way) { return quotient(x.jet, way, zero, zero, Interval(1)); };
     const Interval_pair whole_way = way(part, vertex);
     Curvature_bounds result;
-    if (front.is_fan || part.range.is_number())
+    if (element.is_normal_cone || part.range.is_number())
       result = through_vertex(part, whole_way).bounds();
     else {
       const double u = part.range.middle();
-      const Front_part middle = this->part(part.front, {u, u});
+      const Element_part middle = this->part(part.element, {u, u});
       const Curvature_bounds in_middle = through_vertex(middle, way(middle, vertex)).bounds();
-      result = through_vertex(part, whole_way).bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0), Front_turn::beside(part.jet, whole_way, zero));
+      result = through_vertex(part, whole_way).bounds_around(in_middle, interval_of<Interval>(part.range) - Interval(u), Interval(0), Element_turn::beside(part.jet, whole_way, zero));
     }
-    if (!front.is_fan)
+    if (!element.is_normal_cone)
       for (const bool is_end : {false, true})
-        if (const Arc_end end{front.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
-          add_by_front(result, within_arc(part, front.object, {end.parameter(), end.parameter()}));
+        if (const Arc_end end{element.object, is_end}; m_graph.vertex_of(end) == vertex && gap(part.range, {end.parameter(), end.parameter()}) <= (std::max)(4 * part.range.width(), near))
+          add_by_element(result, within_arc(part, element.object, {end.parameter(), end.parameter()}));
     return result;
   }
 
   // The disks that pass through points of a box. Those of half-planes do not matter.
-  Interval through_box(const Front_part& part, const Interval_pair& box) const
+  Interval through_box(const Element_part& part, const Interval_pair& box) const
   {
     const Interval_pair d = box - part.jet.point;
     Curvature_quotient k;
@@ -162,15 +162,15 @@ public:
     return k.f.sup() <= 0 ? Interval(0) : k.q.inf() > 0 ? k.f / k.q : any_number<Interval>();
   }
 
-  // The disks that touch a front from within the circle that it lies on have the curvature of that.
-  std::optional<Curvature_bounds> of_own_circle(const Front_part& part) const
+  // The disks that touch an element from within the circle that it lies on have the curvature of that.
+  std::optional<Curvature_bounds> of_own_circle(const Element_part& part) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    if (front.is_fan || !m_graph.arcs()[front.object].circle())
+    const Oriented_element& element = m_graph.elements()[part.element];
+    if (element.is_normal_cone || !m_graph.arcs()[element.object].circle())
       return std::nullopt;
-    const Site_arc_2& arc = m_graph.arcs()[front.object];
+    const Site_arc_2& arc = m_graph.arcs()[element.object];
     const double u = part.range.middle();
-    const Front_jet x = m_graph.front_jet(front, {u, u});
+    const Element_jet x = m_graph.element_jet(element, {u, u});
     if (!(dot(x.normal, arc.center() - x.point).inf() > 0))
       return std::nullopt;
     Curvature_bounds result;
@@ -180,22 +180,22 @@ public:
   }
 
   // The side of that circle on which all points are, 1 outside, -1 inside; 0 if that is not certain. Disks through points outside are larger, those through points inside smaller.
-  int side_of_own_circle(const Front_part& part, const Interval_pair& points) const
+  int side_of_own_circle(const Element_part& part, const Interval_pair& points) const
   {
-    const Site_arc_2& arc = m_graph.arcs()[m_graph.fronts()[part.front].object];
+    const Site_arc_2& arc = m_graph.arcs()[m_graph.elements()[part.element].object];
     return certain_sign(squared_norm(points - arc.center()) - arc.squared_radius());
   }
 
 private:
   // What more is known of the disks through a vertex, which has no parameter, from those through the end of an arc.
-  static void add_by_front(Curvature_bounds& result, const Curvature_bounds& more)
+  static void add_by_element(Curvature_bounds& result, const Curvature_bounds& more)
   {
     result.value = common_part(result.value, more.value);
     result.du = common_part(result.du, more.du);
   }
 
   // Where several arcs leave a vertex in the same direction, that on the side from which disks touch them.
-  std::optional<Arc_end> next_on_side_of(const Front_part& part, const Arc_end& end) const
+  std::optional<Arc_end> next_on_side_of(const Element_part& part, const Arc_end& end) const
   {
     const auto& vertex = m_graph.vertices()[m_graph.vertex_of(end)];
     if (const auto only = m_scaled != nullptr && vertex.ends.size() > 2 && m_graph.is_exact(end) ? m_scaled->continuation(m_graph, end) : std::nullopt)
@@ -210,7 +210,7 @@ private:
     return smooth ? std::optional(smooth->end) : std::nullopt;
   }
 
-  Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Front_part& part) const
+  Curvature_bounds of_scaled_disk(const Curvature_quotient& k, const Element_part& part) const
   {
     const Interval_pair& n = part.jet.normal;
     return k.positive_zero(m_scaled->excess * squared_norm(n), Interval(2) * m_scaled->excess * dot(n, part.jet.normal_derivative));
@@ -218,30 +218,30 @@ private:
 
   static double gap(const Range& a, const Range& b) { return (std::max)(a.begin, b.begin) - (std::min)(a.end, b.end); }
 
-  // And what is known where the front lies on the arc, has a vertex in common with it, or touches a circle on which one of them lies.
-  Curvature_bounds with_what_is_common(Curvature_bounds result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  // And what is known where the element lies on the arc, has a vertex in common with it, or touches a circle on which one of them lies.
+  Curvature_bounds with_what_is_common(Curvature_bounds result, const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    if (!front.is_fan && front.object == arc)
+    const Oriented_element& element = m_graph.elements()[part.element];
+    if (!element.is_normal_cone && element.object == arc)
       add_by_tangent(result, within_arc(part, arc, range), arc, range);
     else
       add_by_circles(result, part, arc, range, jet, middle, jet_in_middle);
     for (const bool is_end : {false, true})
-      at_common_vertex(result, part, front, {arc, is_end}, range);
-    if (front.is_fan)
+      at_common_vertex(result, part, element, {arc, is_end}, range);
+    if (element.is_normal_cone)
       for (const bool normal : {false, true})
-        if (is_on_circle_through_fan(m_graph, front, normal, arc))
-          result = common_part(result, along_circle_through_fan(m_graph, part, normal, arc, jet));
+        if (is_on_circle_through_normal_cone(m_graph, element, normal, arc))
+          result = common_part(result, along_circle_through_normal_cone(m_graph, part, normal, arc, jet));
     return result;
   }
 
-  void add_by_circles(Curvature_bounds& result, const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Front_part& middle, const Curve_jet& jet_in_middle) const
+  void add_by_circles(Curvature_bounds& result, const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet, const Element_part& middle, const Curve_jet& jet_in_middle) const
   {
-    const Front& front = m_graph.fronts()[part.front];
-    const Site_arc_2 &y = m_graph.arcs()[arc], *own = front.is_fan ? nullptr : &m_graph.arcs()[front.object];
+    const Oriented_element& element = m_graph.elements()[part.element];
+    const Site_arc_2 &y = m_graph.arcs()[arc], *own = element.is_normal_cone ? nullptr : &m_graph.arcs()[element.object];
     const double v = range.middle();
     const Interval shift_u = interval_of<Interval>(part.range) - Interval(middle.range.begin), shift_v = interval_of<Interval>(range) - Interval(v);
-    const auto difference = [&](const Circle_disks& disks, const Front_part& x, const Range& range, const Curve_jet& jet) {
+    const auto difference = [&](const Circle_disks& disks, const Element_part& x, const Range& range, const Curve_jet& jet) {
       const auto [tangent, change] = y.has_singular_end() ? y.tangent_jet(range) : std::array{jet[1], jet[2]};
       return disks.difference(quotient(x.jet, arc, range, jet, jet[0] - x.jet.point), jet[0], tangent, change);
     };
@@ -252,7 +252,7 @@ private:
       result = common_part(result, k);
     };
     if (own != nullptr && own->circle() && dot(part.jet.normal, own->center() - part.jet.point).inf() > 0)
-      add(Circle_disks::of_front(part.jet, *own), Circle_disks::of_front(middle.jet, *own));
+      add(Circle_disks::of_element(part.jet, *own), Circle_disks::of_element(middle.jet, *own));
     if (const auto disk = y.circle() ? Circle_disks::of_points(middle.jet, y) : std::nullopt)
       if (const auto disks = disk->over(part.jet, middle.jet, shift_u))
         add(*disks, *disk);
@@ -272,9 +272,9 @@ private:
     result = common_part(result, more);
   }
 
-  Curvature_quotient quotient(const Front_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, arc, range, jet, way(part, arc, range, jet)); }
+  Curvature_quotient quotient(const Element_part& part, std::size_t arc, const Range& range, const Curve_jet& jet) const { return quotient(part.jet, arc, range, jet, way(part, arc, range, jet)); }
 
-  Curvature_quotient quotient(const Front_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval_pair& way) const
+  Curvature_quotient quotient(const Element_jet& x, std::size_t arc, const Range& range, const Curve_jet& jet, const Interval_pair& way) const
   {
     const Site_arc_2& y = m_graph.arcs()[arc];
     if (!y.has_singular_end())
@@ -283,30 +283,30 @@ private:
     return quotient(x, way, tangent, change, y.tangent_factor(range));
   }
 
-  // From the front to a vertex.
-  Interval_pair way(const Front_part& part, std::size_t vertex) const
+  // From the element to a vertex.
+  Interval_pair way(const Element_part& part, std::size_t vertex) const
   {
     const Interval_pair result = m_graph.vertices()[vertex].point - part.jet.point;
     const auto short_way = part.range.width() < small && !is_accurate(result) && m_graph.vertices()[vertex].is_exact ? way_to_vertex(part, vertex, true) : std::nullopt;
     return short_way ? common_part(result, *short_way) : result;
   }
 
-  // From the front to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an end.
-  std::optional<Interval_pair> way_to_vertex(const Front_part& part, std::size_t vertex, bool is_any_vertex) const
+  // From the element to the exact end of an arc in a vertex, by way of its nearer end; or of that vertex, if it is an end.
+  std::optional<Interval_pair> way_to_vertex(const Element_part& part, std::size_t vertex, bool is_any_vertex) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     std::optional<Interval_pair> result;
     const auto add = [&](std::size_t from, const Interval_pair& way) {
       const Interval_pair whole = from == vertex ? way : m_graph.way_between(from, vertex) + way;
       result = result ? common_part(*result, whole) : whole;
     };
     const auto is_taken = [&](std::size_t from, bool is_near) { return from == vertex || (is_any_vertex && is_near && m_graph.vertices()[from].is_exact && m_graph.vertices()[vertex].is_exact); };
-    if (front.is_fan && is_taken(front.object, true))
-      add(front.object, {Interval(0), Interval(0)});
-    if (!front.is_fan)
+    if (element.is_normal_cone && is_taken(element.object, true))
+      add(element.object, {Interval(0), Interval(0)});
+    if (!element.is_normal_cone)
       for (const bool own : {false, true})
-        if (const Arc_end end{front.object, own}; m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
-          add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[front.object].way_from_end(own, part.range));
+        if (const Arc_end end{element.object, own}; m_graph.is_exact(end) && is_taken(m_graph.vertex_of(end), own == (part.range.middle() > 0.5)))
+          add(m_graph.vertex_of(end), Interval(-1) * m_graph.arcs()[element.object].way_from_end(own, part.range));
     return result;
   }
 
@@ -318,19 +318,19 @@ private:
     return (std::max)(width(way[0]), width(way[1])) < accurate * (std::max)(size(way[0]), size(way[1]));
   }
 
-  // Whether disks that touch a front and an arc may be nearly those of the curvature of the front: on its own arc, and on one that goes on smoothly.
-  bool is_beside_front(std::size_t front, std::size_t arc) const
+  // Whether disks that touch an element and an arc may be nearly those of the curvature of the element: on its own arc, and on one that goes on smoothly.
+  bool is_beside_element(std::size_t element, std::size_t arc) const
   {
-    const Front& f = m_graph.fronts()[front];
+    const Oriented_element& f = m_graph.elements()[element];
     const auto goes_on = [&](bool is_end) {
       const auto& all = m_graph.continuations({f.object, is_end}).smooth;
       return std::any_of(all.begin(), all.end(), [&](const Smooth_continuation& next) { return next.end.arc == arc; });
     };
-    return !f.is_fan && (f.object == arc || goes_on(false) || goes_on(true));
+    return !f.is_normal_cone && (f.object == arc || goes_on(false) || goes_on(true));
   }
 
   // For a point at the end of a way d, which moves with the derivative m D.
-  static Curvature_quotient quotient(const Front_jet& x, const Interval_pair& d, const Interval_pair& tangent, const Interval_pair& change, const Interval& factor)
+  static Curvature_quotient quotient(const Element_jet& x, const Interval_pair& d, const Interval_pair& tangent, const Interval_pair& change, const Interval& factor)
   {
     const Interval two(2);
     Curvature_quotient k;
@@ -355,7 +355,7 @@ private:
 
   with last derivatives somewhere between u and v; so that little is lost by hulls if h is small.
   */
-  Curvature_bounds within_arc(const Front_part& part, std::size_t arc, const Range& range) const
+  Curvature_bounds within_arc(const Element_part& part, std::size_t arc, const Range& range) const
   {
     const Interval h = interval_of<Interval>(range) - interval_of<Interval>(part.range), hh = CGAL::square(h);
     const Interval middle = (interval_of<Interval>(range) + interval_of<Interval>(part.range)) / Interval(2);
@@ -378,18 +378,18 @@ private:
     return k.bounds();
   }
 
-  // What more is known where the front begins or ends in the end of the arc.
-  void at_common_vertex(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  // What more is known where the element begins or ends in the end of the arc.
+  void at_common_vertex(Curvature_bounds& result, const Element_part& part, const Oriented_element& element, const Arc_end& end, const Range& range) const
   {
     const std::size_t vertex = m_graph.vertex_of(end);
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
-    if (front.is_fan) {
-      if (front.object == vertex)
-        at_fan(result, part, front, end, range);
+    if (element.is_normal_cone) {
+      if (element.object == vertex)
+        at_normal_cone(result, part, element, end, range);
       return;
     }
     for (const bool is_end : {false, true}) {
-      const Arc_end own{front.object, is_end};
+      const Arc_end own{element.object, is_end};
       if (m_graph.vertex_of(own) != vertex || own == end)
         continue;
       const Range own_to_vertex = united(part.range, {own.parameter(), own.parameter()});
@@ -404,7 +404,7 @@ private:
   }
 
   // D and E on the way through the vertex, with a parameter in which the derivative has no jump.
-  Interval across_smooth_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
+  Interval across_smooth_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Smooth_continuation& continuation, const Range& range) const
   {
     return across_joint(part, own, own_range, continuation.end, range, Interval(1) / continuation.speed_ratio, Interval(0));
   }
@@ -412,7 +412,7 @@ private:
   /*
   The same with a jump J of the derivative, at the distance a from X and b from Y: E gets the term <N, J> b / (a + b)^2. It is large only in a small neighbourhood of the vertex, where J is small.
   */
-  Interval across_nearly_smooth_joint(const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& continuation, const Range& range) const
+  Interval across_nearly_smooth_joint(const Element_part& part, const Arc_end& own, const Nearly_smooth_continuation& continuation, const Range& range) const
   {
     const Interval scale(continuation.scale);
     const double a = distance(own, part.range).inf();
@@ -424,7 +424,7 @@ private:
     return across_joint(part, own, own_range, continuation.end, other_range, scale, term);
   }
 
-  Interval across_joint(const Front_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
+  Interval across_joint(const Element_part& part, const Arc_end& own, const Range& own_range, const Arc_end& other, const Range& range, const Interval& scale, const Interval& jump) const
   {
     const Curve_jet x = m_graph.arcs()[own.arc].jet(own_range, 2), y = m_graph.arcs()[other.arc].jet(range, 2);
     const Interval to_end(own.is_end ? 1 : -1), away(other.is_end ? -1 : 1);
@@ -443,8 +443,8 @@ private:
   // From an end of an arc, of the parameters of a range.
   static Interval distance(const Arc_end& end, const Range& range) { return end.is_end ? Interval(1) - interval_of<Interval>(range) : interval_of<Interval>(range); }
 
-  // Below the half-plane of the normal, or perpendicular to the first or last normal of the fan.
-  void at_fan(Curvature_bounds& result, const Front_part& part, const Front& front, const Arc_end& end, const Range& range) const
+  // Below the half-plane of the normal, or perpendicular to the first or last normal of the normal cone.
+  void at_normal_cone(Curvature_bounds& result, const Element_part& part, const Oriented_element& element, const Arc_end& end, const Range& range) const
   {
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
     const Site_arc_2& arc = m_graph.arcs()[end.arc];
@@ -458,8 +458,8 @@ private:
     if (const Interval q = squared_norm(y[1]); q.inf() > 0)
       result.value = common_part(result.value, Interval(-std::numeric_limits<double>::infinity(), (dot(part.jet.normal, y[2]) / q).sup()));
     for (const bool k : {false, true})
-      if (m_graph.is_perpendicular(front, k, end)) {
-        const Fan_disks disks(m_graph, part, k, end, range);
+      if (m_graph.is_perpendicular(element, k, end)) {
+        const Normal_cone_disks disks(m_graph, part, k, end, range);
         Curvature_bounds more = disks.bounds();
         const bool touches_vertex = end.is_end ? range.end == 1 : range.begin == 0;
         if (touches_vertex && disks.is_increasing())
@@ -472,7 +472,7 @@ private:
   p - X = s D and Y - p = t B: <N, Y - X> = s^2 E + t <N, B>, where E belongs to the disk through p. Behind a convex corner <N, B> < 0. Then k < 0 if E <= 0; else k is less than that of the disk through p if
   <N, B> |D|^2 <= 2 s E <B, D>; for t and B any number and direction with that product will do.
   */
-  void at_corner(Curvature_bounds& result, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
+  void at_corner(Curvature_bounds& result, const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range) const
   {
     const Curve_jet x = m_graph.arcs()[own.arc].jet(part.range, 2);
     const Interval_pair d = Interval(own.is_end ? 1 : -1) * x[1], b = Interval(other.is_end ? -1 : 1) * m_graph.arcs()[other.arc].direction_over(range);

@@ -28,13 +28,13 @@ namespace internal {
 namespace Voronoi {
 
 /*
-How the curvature k of a disk that touches a front in X(a) changes where the point Y(b) of an arc that it passes through moves away from an end of the arc, b = 0; near an end of the front, a = 0. With Z = Y - X, k and its derivative have the signs of the polynomials
+How the curvature k of a disk that touches an element in X(a) changes where the point Y(b) of an arc that it passes through moves away from an end of the arc, b = 0; near an end of the element, a = 0. With Z = Y - X, k and its derivative have the signs of the polynomials
 
   <N, Z>   and   <N, Y_b> |Z|^2 - 2 <N, Z> <Z, Y_b>.
 
-These decide what intervals cannot: where front and arc meet or join, and where the order of contacts is a tie at the end of the front, as with circles and their tangents.
+These decide what intervals cannot: where element and arc meet or join, and where the order of footpoints is a tie at the end of the element, as with circles and their tangents.
 
-Where the derivative of an arc is zero in its end, Y_b = m D with m > 0 behind that, and D takes its place. Next to the end a distance there is as a power of the parameter: where front and arc meet, both parameters are replaced by powers of others, so that both distances are the same power of these. If the front is of that arc,
+Where the derivative of an arc is zero in its end, Y_b = m D with m > 0 behind that, and D takes its place. Next to the end a distance there is as a power of the parameter: where element and arc meet, both parameters are replaced by powers of others, so that both distances are the same power of these. If the element is of that arc,
 Z has a factor b - a, k is a quotient of what <N, Z> and |Z|^2 are without (b - a)^2, and the derivative has the factor (b - a)^4.
 */
 class Disk_slope
@@ -49,36 +49,36 @@ class Disk_slope
     Polynomial_pair tangent;
   };
 
-  bool m_is_singular;   // whether front and arc meet where a derivative is zero
+  bool m_is_singular;   // whether element and arc meet where a derivative is zero
   bool m_has_positive_denominator = false;   // of k, if only as a square
   double m_scale = 1;   // of the parameter of the arc
-  int m_front_power = 1, m_arc_power = 1;   // of the variables of the polynomials, which the parameters are
+  int m_element_power = 1, m_arc_power = 1;   // of the variables of the polynomials, which the parameters are
   Blown_up_polynomial m_sign_of_value{Power_polynomial()}, m_slope{Power_polynomial()};
   Blown_up_polynomial m_numerator{Power_polynomial()}, m_denominator{Power_polynomial()};   // of k
 
 public:
-  Disk_slope(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end, bool is_by_distance)
+  Disk_slope(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end, bool is_by_distance)
   {
-    const Arc_end own{front.object, front_end};
-    const bool do_meet = (front.is_fan ? front.object : graph.vertex_of(own)) == graph.vertex_of(end);
+    const Arc_end own{element.object, element_end};
+    const bool do_meet = (element.is_normal_cone ? element.object : graph.vertex_of(own)) == graph.vertex_of(end);
     const auto is_stationary = [&](const Arc_end& e) { return graph.arcs()[e.arc].is_curvature_stationary(e.is_end); };
-    m_is_singular = do_meet && !(graph.is_regular(end) && (front.is_fan || graph.is_regular(own)));
-    const bool is_own = !front.is_fan && own == end;
+    m_is_singular = do_meet && !(graph.is_regular(end) && (element.is_normal_cone || graph.is_regular(own)));
+    const bool is_own = !element.is_normal_cone && own == end;
     if (is_by_distance)
-      find_powers(graph, front, front_end, end);
-    m_scale = is_own ? 1 : scale(graph, front, front_end, end);
+      find_powers(graph, element, element_end, end);
+    m_scale = is_own ? 1 : scale(graph, element, element_end, end);
     const Polynomial_curve y = polynomial_curve(graph, end, 1, Exact_rational(m_scale));
     Polynomial_pair normal, z;
-    Power_polynomial weight(1);   // of the front
-    if (front.is_fan) {
-      const Exact_pair &from = front.exact_normals[front_end], &to = front.exact_normals[!front_end], &p = graph.vertices()[front.object].exact_point;
+    Power_polynomial weight(1);   // of the element
+    if (element.is_normal_cone) {
+      const Exact_pair &from = element.exact_normals[element_end], &to = element.exact_normals[!element_end], &p = graph.vertices()[element.object].exact_point;
       for (std::size_t k = 0; k < 2; ++k) {
         normal[k] = Power_polynomial(from[k]) + Power_polynomial::variable(0) * Power_polynomial(Exact_rational(to[k] - from[k]));
         z[k] = y.point[k] - y.weight * Power_polynomial(p[k]);
       }
     } else {
-      const Polynomial_curve x = polynomial_curve(graph, {front.object, front_end}, 0, Exact_rational(1));
-      const Power_polynomial way(front.is_reversed == front_end ? 1 : -1);
+      const Polynomial_curve x = polynomial_curve(graph, {element.object, element_end}, 0, Exact_rational(1));
+      const Power_polynomial way(element.is_reversed == element_end ? 1 : -1);
       normal = {-way * x.tangent[1], way * x.tangent[0]};
       for (std::size_t k = 0; k < 2; ++k)
         z[k] = y.point[k] * x.weight - x.point[k] * y.weight;
@@ -86,7 +86,7 @@ public:
     }
     const int squares = is_own ? 1 : 0;   // of b - a, in <N, Z> and in |Z|^2
     const Power_polynomial nz = product(normal, z), slope = product(normal, y.tangent) * product(z, z) - Power_polynomial(2) * nz * product(z, y.tangent);
-    if (is_by_distance && do_meet && !m_is_singular && (is_stationary(end) || (!front.is_fan && is_stationary(own))))
+    if (is_by_distance && do_meet && !m_is_singular && (is_stationary(end) || (!element.is_normal_cone && is_stationary(own))))
       find_powers(slope);
     m_sign_of_value = Blown_up_polynomial::without_common_powers(with_powers(without_difference(nz, 2 * squares) * weight * y.weight));
     m_slope = Blown_up_polynomial::without_common_powers(with_powers(without_difference(slope, 4 * squares)));
@@ -96,32 +96,32 @@ public:
   }
 
   /*
-  The signs of k_b for all disks that touch the front at some distance from its end, where b runs over a range, but for disks of less than some curvature. With n less than d, the lowest degrees of numerator and denominator of k, k a^(d-n) depends mostly on the ratio b/a. If a share is attained by k a^(d-n) for all a, by the points of the arc
+  The signs of k_b for all disks that touch the element at some distance from its end, where b runs over a range, but for disks of less than some curvature. With n less than d, the lowest degrees of numerator and denominator of k, k a^(d-n) depends mostly on the ratio b/a. If a share is attained by k a^(d-n) for all a, by the points of the arc
   at one ratio, the largest disk of each a has that share or more, whatever it touches: disks with less of it are none of these, and do not matter either.
   */
   Path_signs slopes(const Range& a, const Range& b, double least) const
   {
     const double least_share = share_of_largest(a);
-    return m_slope.signs(root(a, m_front_power), scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return is_curvature_less(range, least) || (least_share > 0 && share(range).sup() < least_share); });
+    return m_slope.signs(root(a, m_element_power), scaled(b), [&](const Blown_up_polynomial::Chart_range& range) { return is_curvature_less(range, least) || (least_share > 0 && share(range).sup() < least_share); });
   }
 
-  // Where a derivative is zero, the largest disks have at least such a share of that power of the distance from the end of the front, or of its root; 0 if nothing is known.
-  double share_of_largest(const Range& a) const { return m_is_singular && m_front_power <= 2 ? attained_share(root(a, m_front_power)) : 0; }
+  // Where a derivative is zero, the largest disks have at least such a share of that power of the distance from the end of the element, or of its root; 0 if nothing is known.
+  double share_of_largest(const Range& a) const { return m_is_singular && m_element_power <= 2 ? attained_share(root(a, m_element_power)) : 0; }
   int power_of_share() const { return static_cast<int>(m_denominator.degree()) - static_cast<int>(m_numerator.degree()); }
-  bool has_powers() const { return m_front_power != m_arc_power; }
-  bool is_share_of_root() const { return m_front_power == 2; }
+  bool has_powers() const { return m_element_power != m_arc_power; }
+  bool is_share_of_root() const { return m_element_power == 2; }
 
   // Whether no disk of a range is in the half-plane of its normal.
   bool is_value_negative(const Range& a, const Range& b) const
   {
-    const Sign_pattern pattern = m_sign_of_value.pattern(root(a, m_front_power), scaled(b));
+    const Sign_pattern pattern = m_sign_of_value.pattern(root(a, m_element_power), scaled(b));
     return pattern == Sign_pattern::NEGATIVE || pattern == Sign_pattern::ZERO;
   }
 
-  // A curvature that all disks exceed that touch the front no farther from its end, where front and arc meet.
+  // A curvature that all disks exceed that touch the element no farther from its end, where element and arc meet.
   double attained_curvature(const Range& a) const
   {
-    const Range radius = root(a, m_front_power);
+    const Range radius = root(a, m_element_power);
     Interval result(attained_share(radius));
     for (std::size_t i = m_numerator.degree(); i < m_denominator.degree(); ++i)
       result /= Interval(radius.end);
@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  // Where k is not bounded next to the vertex: times the power of the distance of the front that it is inversely proportional to, nearly.
+  // Where k is not bounded next to the vertex: times the power of the distance of the element that it is inversely proportional to, nearly.
   Interval share(const Blown_up_polynomial::Chart_range& range) const
   {
     Interval result = m_numerator(range) / m_denominator(range);
@@ -138,7 +138,7 @@ private:
     return result;
   }
 
-  // A share that the largest disks exceed, or 0: by those through points whose distance has one of some ratios to that of the front.
+  // A share that the largest disks exceed, or 0: by those through points whose distance has one of some ratios to that of the element.
   double attained_share(const Range& radius) const
   {
     constexpr int most_halvings = 8;
@@ -157,13 +157,13 @@ private:
   }
 
   // With a distance from the vertex for which both parameters are powers.
-  void find_powers(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end)
+  void find_powers(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end)
   {
-    const Arc_end own{front.object, front_end};
-    if (front.is_fan || own == end || graph.vertex_of(own) != graph.vertex_of(end))
+    const Arc_end own{element.object, element_end};
+    if (element.is_normal_cone || own == end || graph.vertex_of(own) != graph.vertex_of(end))
       return;
     const int a = graph.arcs()[own.arc].zeros_of_derivative(own.is_end) + 1, b = graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1, common = std::gcd(a, b);
-    m_front_power = b / common;
+    m_element_power = b / common;
     m_arc_power = a / common;
   }
 
@@ -171,15 +171,15 @@ private:
   void find_powers(const Power_polynomial& slope)
   {
     if (const auto powers = powers_of_zeros(slope))
-      std::tie(m_front_power, m_arc_power) = *powers;
+      std::tie(m_element_power, m_arc_power) = *powers;
   }
 
   // With the parameters replaced by powers.
   Power_polynomial with_powers(const Power_polynomial& p) const
   {
-    if (m_front_power == 1 && m_arc_power == 1)
+    if (m_element_power == 1 && m_arc_power == 1)
       return p;
-    return p.substituted(0, pow(Power_polynomial::variable(0), m_front_power)).substituted(1, pow(Power_polynomial::variable(1), m_arc_power));
+    return p.substituted(0, pow(Power_polynomial::variable(0), m_element_power)).substituted(1, pow(Power_polynomial::variable(1), m_arc_power));
   }
 
   // Divided by a power of b - a, which is a factor: by Horner's rule.
@@ -261,13 +261,13 @@ private:
 
   static Power_polynomial product(const Polynomial_pair& a, const Polynomial_pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-  // The ratio of the speeds of front and arc, as a power of 2.
-  static double scale(const Site_graph_2& graph, const Front& front, bool front_end, const Arc_end& end)
+  // The ratio of the speeds of element and arc, as a power of 2.
+  static double scale(const Site_graph_2& graph, const Oriented_element& element, bool element_end, const Arc_end& end)
   {
-    if (front.is_fan)
+    if (element.is_normal_cone)
       return 1;
     const auto speed = [&](const Arc_end& e) { return std::sqrt(squared_norm(graph.arcs()[e.arc].direction_over({e.parameter(), e.parameter()})).sup()) / (graph.arcs()[e.arc].zeros_of_derivative(e.is_end) + 1); };
-    const double ratio = std::pow(speed({front.object, front_end}) / speed(end), 1.0 / (graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1));
+    const double ratio = std::pow(speed({element.object, element_end}) / speed(end), 1.0 / (graph.arcs()[end.arc].zeros_of_derivative(end.is_end) + 1));
     return ratio > 0 && std::isfinite(ratio) ? std::exp2(std::round(std::log2(ratio))) : 1;
   }
 
@@ -294,39 +294,39 @@ private:
   }
 };
 
-// Those of one front, made when they are needed.
+// Those of one element, made when they are needed.
 class Disk_slopes
 {
   const Site_graph_2& m_graph;
-  const Front& m_front;
+  const Oriented_element& m_element;
   std::map<std::tuple<bool, std::size_t, bool, bool>, Disk_slope> m_slopes;
 
 public:
-  Disk_slopes(const Site_graph_2& graph, std::size_t front) : m_graph(graph), m_front(graph.fronts()[front]) {}
+  Disk_slopes(const Site_graph_2& graph, std::size_t element) : m_graph(graph), m_element(graph.elements()[element]) {}
 
-  // A curvature that all disks exceed, or 0: of a part of the front that begins or ends in a vertex in which a derivative is zero.
+  // A curvature that all disks exceed, or 0: of a part of the element that begins or ends in a vertex in which a derivative is zero.
   double attained_curvature(const Range& range)
   {
     double result = 0;
-    for (const bool front_end : {false, true}) {
-      if (front_end ? range.end < 1 : range.begin > 0)
+    for (const bool element_end : {false, true}) {
+      if (element_end ? range.end < 1 : range.begin > 0)
         continue;
-      const Arc_end own{m_front.object, front_end};
-      if (!m_front.is_fan && !m_graph.is_exact(own))
+      const Arc_end own{m_element.object, element_end};
+      if (!m_element.is_normal_cone && !m_graph.is_exact(own))
         continue;
-      for (const Arc_end& end : m_graph.vertices()[m_front.is_fan ? m_front.object : m_graph.vertex_of(own)].ends)
-        if (m_graph.is_exact(end) && !(m_graph.is_regular(end) && (m_front.is_fan || m_graph.is_regular(own))))
-          result = (std::max)(result, (*this)(front_end, end).attained_curvature(front_end ? Range{1 - range.end, 1 - range.begin} : range));
+      for (const Arc_end& end : m_graph.vertices()[m_element.is_normal_cone ? m_element.object : m_graph.vertex_of(own)].ends)
+        if (m_graph.is_exact(end) && !(m_graph.is_regular(end) && (m_element.is_normal_cone || m_graph.is_regular(own))))
+          result = (std::max)(result, (*this)(element_end, end).attained_curvature(element_end ? Range{1 - range.end, 1 - range.begin} : range));
     }
     return result;
   }
 
   // In parameters whose powers are u and v, if distances next to a common vertex are not the same powers of these; or in u and v.
-  const Disk_slope& operator()(bool front_end, const Arc_end& end, bool is_by_distance = true)
+  const Disk_slope& operator()(bool element_end, const Arc_end& end, bool is_by_distance = true)
   {
-    const std::tuple key(front_end, end.arc, end.is_end, is_by_distance);
+    const std::tuple key(element_end, end.arc, end.is_end, is_by_distance);
     const auto position = m_slopes.find(key);
-    return position != m_slopes.end() ? position->second : m_slopes.emplace(key, Disk_slope(m_graph, m_front, front_end, end, is_by_distance)).first->second;
+    return position != m_slopes.end() ? position->second : m_slopes.emplace(key, Disk_slope(m_graph, m_element, element_end, end, is_by_distance)).first->second;
   }
 };
 

@@ -32,13 +32,13 @@ class Fine_level
   mutable std::optional<Basic_scaled_sites<Fine_interval>> m_fine_scaled;
 
 public:
-  static constexpr int most_nodes = 50, most_nodes_of_many = 16;   // of sweeps along a front, and of one of them with many candidates
+  static constexpr int most_nodes = 50, most_nodes_of_many = 16;   // of sweeps along an element, and of one of them with many candidates
   static constexpr std::size_t most_candidates = 100;              // that are not many
-  static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;   // of candidates along a front, where what was proved in surveys needed 7500 at most, and what a try costs besides
+  static constexpr std::size_t most_bounds = 10000, bounds_of_try = 10;   // of candidates along an element, where what was proved in surveys needed 7500 at most, and what a try costs besides
 
   explicit Fine_level(const Site_graph_2& graph, const Scaled_sites* scaled = nullptr) : m_graph(graph), m_scaled(scaled) {}
 
-  // Whether a part of a front of some size, 1 if it is large, is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
+  // Whether a part of an element of some size, 1 if it is large, is tried in a sweep that divides parts by a ratio, below one half: at some widths, so that where doubles do not decide at all they need not be divided to the end.
   static bool is_tried(const Range& range, double split_ratio, double size = 1)
   {
     constexpr double most_width = 0x1p-20;

@@ -20,7 +20,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disks that touch a front in X(u), with the normal N(u), and the line or circle of an arc. With a point P and a normal M of the line, on the side of the front, or the center C and radius r of the circle and s = 1 outside of it, -1 inside, their curvature in units of the normal is
+The disks that touch an element in X(u), with the normal N(u), and the line or circle of an arc. With a point P and a normal M of the line, on the side of the element, or the center C and radius r of the circle and s = 1 outside of it, -1 inside, their curvature in units of the normal is
 
   k = (|M| |N| - <M, N>) / <M, X - P>    or    k = 2 (r |N| - s <N, X - C>) / (s (|X - C|^2 - r^2)),
 
@@ -34,7 +34,7 @@ class Basic_tangent_disks
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Element_part = Basic_element_part<Interval>;
 
   // Numerator and denominator of k, and their derivatives.
   struct Quotient
@@ -53,14 +53,14 @@ class Basic_tangent_disks
 
 public:
   // Nothing where it is not certain that all of them touch the arc in its inside.
-  static std::optional<Basic_tangent_disks> over(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, std::size_t arc)
+  static std::optional<Basic_tangent_disks> over(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, std::size_t arc)
   {
     const Site_arc_2& y = graph.arcs()[arc];
     const int side = y.is_on_line_or_circle() && !y.turns_back() && !curvature.is_arc_scaled(arc) ? side_of(y, part) : 0;
     if (side == 0 || !is_touched_inside(y, curvature, part, arc))
       return std::nullopt;
     const double u = part.range.middle();
-    const Basic_tangent_disks result(quotient(graph, y, side, curvature.part(part.front, {u, u})), quotient(graph, y, side, part), interval_of<Interval>(part.range) - Interval(u));
+    const Basic_tangent_disks result(quotient(graph, y, side, curvature.part(part.element, {u, u})), quotient(graph, y, side, part), interval_of<Interval>(part.range) - Interval(u));
     return result.value().inf() > 0 && std::isfinite(result.value().sup()) ? std::optional(result) : std::nullopt;
   }
 
@@ -68,7 +68,7 @@ public:
   const Interval& value() const { return m_value; }
   const Curvature_expansion& expansion() const { return m_expansion; }
 
-  // The difference of this curvature f / q and another one, times q: where the front is next to the line or circle, and q small, derivatives of f and q change less than those of f / q.
+  // The difference of this curvature f / q and another one, times q: where the element is next to the line or circle, and q small, derivatives of f and q change less than those of f / q.
   Curvature_expansion difference(const Curvature_expansion& other) const
   {
     const auto value = [](const Quotient& x, const Interval& k) { return x.f - k * x.q; };
@@ -94,7 +94,7 @@ private:
   /*
   Disks through the points of a line or circle have one greatest and one least curvature, and those where it is positive are connected: the greatest one is between two points if it grows from each of them towards the other one; and between one outside of these and one of them, from which it grows towards the former.
   */
-  static bool is_touched_inside(const Site_arc_2& y, const Disk_curvature& curvature, const Front_part& part, std::size_t arc)
+  static bool is_touched_inside(const Site_arc_2& y, const Disk_curvature& curvature, const Element_part& part, std::size_t arc)
   {
     const auto at = [&](double v) { return curvature(part, arc, {v, v}, y.jet({v, v})); };
     const auto begin = at(0), end = at(1);
@@ -103,7 +103,7 @@ private:
   }
 
   // On which side of the direction of a line, or of a circle, a part is.
-  static int side_of(const Site_arc_2& y, const Front_part& part)
+  static int side_of(const Site_arc_2& y, const Element_part& part)
   {
     if (y.is_straight())
       return certain_sign(dot(turned_left(along(y)), part.jet.point - y.point({0, 0})));
@@ -112,7 +112,7 @@ private:
 
   static Interval_pair along(const Site_arc_2& y) { return y.point({1, 1}) - y.point({0, 0}); }
 
-  static Quotient quotient(const Site_graph_2& graph, const Site_arc_2& y, int side, const Front_part& part)
+  static Quotient quotient(const Site_graph_2& graph, const Site_arc_2& y, int side, const Element_part& part)
   {
     const auto& [x, xu, n, nu] = part.jet;
     const auto [xuu, nuu] = second_derivatives(graph, part);

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_COMPARED_POINTS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 
 #include <array>
 #include <cstddef>
@@ -27,16 +27,16 @@ template <Enclosing_number Interval>
 struct Basic_compared_points
 {
   using Interval_pair = std::array<Interval, 2>;
-  using Front_part = Basic_front_part<Interval>;
+  using Element_part = Basic_element_part<Interval>;
 
   Interval_pair p, way;   // P and E
 
-  int sign(const Front_part& x) const { return certain_sign(f(x)); }
+  int sign(const Element_part& x) const { return certain_sign(f(x)); }
 
-  Interval difference(const Front_part& x) const { return Interval(2) * f(x) / weight(x); }
+  Interval difference(const Element_part& x) const { return Interval(2) * f(x) / weight(x); }
 
-  // The derivative of the difference by the parameter of the front, where both points stay.
-  Interval slope(const Front_part& x) const
+  // The derivative of the difference by the parameter of the element, where both points stay.
+  Interval slope(const Element_part& x) const
   {
     const Interval two(2);
     const Interval_pair d = p - x.jet.point, &xu = x.jet.point_derivative;
@@ -48,9 +48,9 @@ struct Basic_compared_points
 private:
   Interval_pair w(const Interval_pair& d) const { return (Interval(2) * dot(d, way) + squared_norm(way)) * d - squared_norm(d) * way; }
 
-  Interval f(const Front_part& x) const { return dot(x.jet.normal, w(p - x.jet.point)); }
+  Interval f(const Element_part& x) const { return dot(x.jet.normal, w(p - x.jet.point)); }
 
-  Interval weight(const Front_part& x) const
+  Interval weight(const Element_part& x) const
   {
     const Interval_pair d = p - x.jet.point;
     return squared_norm(d) * squared_norm(d + way);
@@ -66,34 +66,34 @@ Basic_compared_points<Interval> compared_points(const Basic_site_arc_2<Interval>
 }
 
 /*
-The difference of the curvatures of two contacts over a part of a front, where both are vertices that are known exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
+The difference of the curvatures of two footpoints over a part of an element, where both are vertices that are known exactly, or on the same arc, one of them at an end or both inside; nothing is known of others, nor of scaled ones.
 */
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& a, const Located_contact& b)
+Basic_curvature_expansion<Interval> difference_of_points(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& a, const Located_footpoint& b)
 {
-  using Kind = Disk_contact::Kind;
-  if (is_scaled(curvature, a.contact) || is_scaled(curvature, b.contact))   // as a vertex may be, where an arc ends that is not
+  using Kind = Disk_footpoint::Kind;
+  if (is_scaled(curvature, a.footpoint) || is_scaled(curvature, b.footpoint))   // as a vertex may be, where an arc ends that is not
     return {};
-  const auto is_exact_point = [&](const Disk_contact& c) { return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact; };
+  const auto is_exact_point = [&](const Disk_footpoint& c) { return c.kind == Kind::VERTEX && graph.vertices()[c.index].is_exact; };
   const double u = part.range.middle();
-  const Basic_front_part<Interval> middle = curvature.part(part.front, {u, u});
+  const Basic_element_part<Interval> middle = curvature.part(part.element, {u, u});
   const auto expansion = [&](const Basic_compared_points<Interval>& there, const Basic_compared_points<Interval>& throughout) {
     return Basic_curvature_expansion<Interval>{there.difference(middle), there.slope(middle), throughout.slope(part), any_number<Interval>()};
   };
-  if (is_exact_point(a.contact) && is_exact_point(b.contact)) {
-    const Basic_compared_points<Interval> points{graph.vertices()[a.contact.index].point, graph.way_between(a.contact.index, b.contact.index)};
+  if (is_exact_point(a.footpoint) && is_exact_point(b.footpoint)) {
+    const Basic_compared_points<Interval> points{graph.vertices()[a.footpoint.index].point, graph.way_between(a.footpoint.index, b.footpoint.index)};
     return expansion(points, points);
   }
-  const Basic_front<Interval>& front = graph.fronts()[part.front];
-  const std::size_t arc = (a.contact.kind == Kind::ARC ? a : b).contact.index;
-  if ((a.contact.kind != Kind::ARC && b.contact.kind != Kind::ARC) || (!front.is_fan && front.object == arc))
+  const Basic_oriented_element<Interval>& element = graph.elements()[part.element];
+  const std::size_t arc = (a.footpoint.kind == Kind::ARC ? a : b).footpoint.index;
+  if ((a.footpoint.kind != Kind::ARC && b.footpoint.kind != Kind::ARC) || (!element.is_normal_cone && element.object == arc))
     return {};
-  // Where the contact is: over the part, and in its middle.
-  const auto range = [&](const Located_contact& c, bool is_throughout) -> std::optional<Range> {
+  // Where the footpoint is: over the part, and in its middle.
+  const auto range = [&](const Located_footpoint& c, bool is_throughout) -> std::optional<Range> {
     for (const bool end : {false, true})
-      if (c.contact.kind == Kind::VERTEX && graph.vertex_of({arc, end}) == c.contact.index && graph.is_exact({arc, end}))
+      if (c.footpoint.kind == Kind::VERTEX && graph.vertex_of({arc, end}) == c.footpoint.index && graph.is_exact({arc, end}))
         return Range{end ? 1.0 : 0.0, end ? 1.0 : 0.0};
-    if (c.contact.kind != Kind::ARC || c.contact.index != arc)
+    if (c.footpoint.kind != Kind::ARC || c.footpoint.index != arc)
       return std::nullopt;
     if (is_throughout)
       return c.range;

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/geometry/internal/rational_roots.h>
 #include <CGAL/Spline_constraints_d/number/Exact_rational.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-A disk with a rational center and a rational squared radius that is a guess for one that touches a front and three contacts or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
+A disk with a rational center and a rational squared radius that is a guess for one that touches an element and three footpoints or more, as in the center of a square. That it does so is decided exactly where these are points, or lie on lines and circles. Scaled sites are touched by the scaled disk.
 */
 template <Enclosing_number Interval>
 class Basic_common_disk
@@ -30,8 +30,8 @@ class Basic_common_disk
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
 
   const Site_graph_2& m_graph;
@@ -42,7 +42,7 @@ class Basic_common_disk
 
 public:
   // The center is the simplest one in an enclosure.
-  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> contacts) : m_graph(graph), m_curvature(curvature)
+  Basic_common_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Interval_pair& center, std::span<const Disk_branch> footpoints) : m_graph(graph), m_curvature(curvature)
   {
     for (std::size_t k = 0; k < 2; ++k) {
       if (!std::isfinite(center[k].inf()) || !std::isfinite(center[k].sup()))
@@ -50,33 +50,33 @@ public:
       m_center[k] = simplest_rational_between(Exact_rational(center[k].inf()), Exact_rational(center[k].sup()));
       m_enclosed_center[k] = interval_of<Interval>(m_center[k]);
     }
-    for (const Disk_branch& contact : contacts)
+    for (const Disk_branch& footpoint : footpoints)
       if (!m_squared_radius)
-        m_squared_radius = contact.move ? squared_radius_at_end({contact.move->arc, contact.move->parameter == 1}) : squared_radius(contact.contact);
+        m_squared_radius = footpoint.move ? squared_radius_at_end({footpoint.move->arc, footpoint.move->parameter == 1}) : squared_radius(footpoint.footpoint);
   }
 
-  // Whether it touches a part of a front, on the side of the normals.
-  bool touches(const Front_part& part) const
+  // Whether it touches a part of an element, on the side of the normals.
+  bool touches(const Element_part& part) const
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     const Interval_pair away = m_enclosed_center - part.jet.point;
     if (!m_squared_radius || !(dot(part.jet.normal, away).inf() > 0))
       return false;
-    if (!front.is_fan)
-      return touches_arc(m_graph.arcs()[front.object], part.range, *m_squared_radius);
-    const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.front_jet(front, {u, u}).normal), away)); };
-    return touches(m_graph.vertices()[front.object], *m_squared_radius) && turn(part.range.begin) * turn(part.range.end) < 0;
+    if (!element.is_normal_cone)
+      return touches_arc(m_graph.arcs()[element.object], part.range, *m_squared_radius);
+    const auto turn = [&](double u) { return certain_sign(dot(turned_left(m_graph.element_jet(element, {u, u}).normal), away)); };
+    return touches(m_graph.vertices()[element.object], *m_squared_radius) && turn(part.range.begin) * turn(part.range.end) < 0;
   }
 
   // Whether it touches the same thing as the disks of a branch.
-  bool touches(const Located_contact& located) const
+  bool touches(const Located_footpoint& located) const
   {
     if (!m_squared_radius)
       return false;
-    const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.contact);
-    if (located.contact.kind == Disk_contact::Kind::VERTEX)
-      return touches(m_graph.vertices()[located.contact.index], square);
-    return located.contact.kind == Disk_contact::Kind::ARC && touches_arc(m_graph.arcs()[located.contact.index], located.range, square);
+    const Exact_rational square = *m_squared_radius * squared_factor(m_curvature, located.footpoint);
+    if (located.footpoint.kind == Disk_footpoint::Kind::VERTEX)
+      return touches(m_graph.vertices()[located.footpoint.index], square);
+    return located.footpoint.kind == Disk_footpoint::Kind::ARC && touches_arc(m_graph.arcs()[located.footpoint.index], located.range, square);
   }
 
   // Whether it touches an arc in its end: the center is on the perpendicular there.
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  static Disk_contact arc_of(const Arc_end& end) { return {Disk_contact::Kind::ARC, end.arc}; }
+  static Disk_footpoint arc_of(const Arc_end& end) { return {Disk_footpoint::Kind::ARC, end.arc}; }
 
   bool touches(const typename Site_graph_2::Vertex& vertex, const Exact_rational& square) const { return vertex.is_exact && squared_distance_from(vertex.exact_point) == square; }
 
@@ -106,21 +106,21 @@ private:
     return Exact_rational(area * area / exact_dot(d, d));
   }
 
-  // Of the disk that touches the point in which a contact goes over from an arc to the next one.
+  // Of the disk that touches the point in which a footpoint goes over from an arc to the next one.
   std::optional<Exact_rational> squared_radius_at_end(const Arc_end& end) const
   {
     return m_graph.is_exact(end) ? std::optional(Exact_rational(squared_distance_from(m_graph.arcs()[end.arc].at(Exact_rational(end.parameter()))) / squared_factor(m_curvature, arc_of(end)))) : std::nullopt;
   }
 
-  // The squared radius of the disk that touches a contact, if it is known to be rational.
-  std::optional<Exact_rational> squared_radius(const Disk_contact& contact) const
+  // The squared radius of the disk that touches a footpoint, if it is known to be rational.
+  std::optional<Exact_rational> squared_radius(const Disk_footpoint& footpoint) const
   {
-    if (contact.kind == Disk_contact::Kind::VERTEX && m_graph.vertices()[contact.index].is_exact)
-      return Exact_rational(squared_distance_from(m_graph.vertices()[contact.index].exact_point) / squared_factor(m_curvature, contact));
-    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].is_straight())
-      return Exact_rational(squared_distance_from_line(m_graph.arcs()[contact.index]) / squared_factor(m_curvature, contact));
-    if (contact.kind == Disk_contact::Kind::ARC && m_graph.arcs()[contact.index].circle())
-      return squared_distance_from_circle(*m_graph.arcs()[contact.index].circle(), squared_factor(m_curvature, contact));
+    if (footpoint.kind == Disk_footpoint::Kind::VERTEX && m_graph.vertices()[footpoint.index].is_exact)
+      return Exact_rational(squared_distance_from(m_graph.vertices()[footpoint.index].exact_point) / squared_factor(m_curvature, footpoint));
+    if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].is_straight())
+      return Exact_rational(squared_distance_from_line(m_graph.arcs()[footpoint.index]) / squared_factor(m_curvature, footpoint));
+    if (footpoint.kind == Disk_footpoint::Kind::ARC && m_graph.arcs()[footpoint.index].circle())
+      return squared_distance_from_circle(*m_graph.arcs()[footpoint.index].circle(), squared_factor(m_curvature, footpoint));
     return std::nullopt;
   }
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Control_points_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_footpoint.h>
 
 #include <optional>
 #include <utility>
@@ -19,7 +19,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-A half-plane that touches a front and several copies of it in a row, moved by multiples of one vector d; where that is need not be rational.
+A half-plane that touches an element and several copies of it in a row, moved by multiples of one vector d; where that is need not be rational.
 
 Where <N(u), d> = 0, the half-plane of N has the points X(u) + s d on its boundary, and so that of each copy with the same parameter, where the copy has the same tangent: k = 0 and k_v = 0 there. Each branch has one maximum, which is that point if it holds it.
 */
@@ -29,18 +29,18 @@ class Basic_common_half_plane
   using Interval_pair = std::array<Interval, 2>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
-  const Front_part& m_part;
+  const Element_part& m_part;
 
 public:
-  Basic_common_half_plane(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part) : m_graph(graph), m_curvature(curvature), m_part(part) {}
+  Basic_common_half_plane(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part) : m_graph(graph), m_curvature(curvature), m_part(part) {}
 
-  // Whether it is proved that a half-plane over the part touches all contacts, of which one is nothing: that of disks that are half-planes.
+  // Whether it is proved that a half-plane over the part touches all footpoints, of which one is nothing: that of disks that are half-planes.
   bool touches_all(const std::vector<Disk_branch>& branches) const
   {
     if (m_curvature.scaled_sites() != nullptr)
@@ -48,7 +48,7 @@ public:
     std::optional<Exact_pair> direction;
     bool is_half_plane = false;
     for (const Disk_branch& branch : branches) {
-      if (branch.contact.kind == Disk_contact::Kind::NOTHING) {
+      if (branch.footpoint.kind == Disk_footpoint::Kind::NOTHING) {
         is_half_plane = true;
         continue;
       }
@@ -63,17 +63,17 @@ public:
 private:
   int turn(const Exact_pair& direction, double u) const
   {
-    return certain_sign(dot(m_graph.front_jet(m_graph.fronts()[m_part.front], {u, u}).normal, Interval_pair{interval_of<Interval>(direction[0]), interval_of<Interval>(direction[1])}));
+    return certain_sign(dot(m_graph.element_jet(m_graph.elements()[m_part.element], {u, u}).normal, Interval_pair{interval_of<Interval>(direction[0]), interval_of<Interval>(direction[1])}));
   }
 
-  // The vector from the front to a contact that is a copy of it, and touched at the parameter of the front.
-  std::optional<Exact_pair> way_to_copy(const Located_contact& located) const
+  // The vector from the element to a footpoint that is a copy of it, and touched at the parameter of the element.
+  std::optional<Exact_pair> way_to_copy(const Located_footpoint& located) const
   {
-    const Front& front = m_graph.fronts()[m_part.front];
-    const Disk_contact own{front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC, front.object}, &other = located.contact;
+    const Oriented_element& element = m_graph.elements()[m_part.element];
+    const Disk_footpoint own{element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC, element.object}, &other = located.footpoint;
     if (is_exact_vertex(m_graph, own) && is_exact_vertex(m_graph, other))
       return exact_difference(m_graph.vertices()[other.index].exact_point, m_graph.vertices()[own.index].exact_point);
-    if (own.kind != Disk_contact::Kind::ARC || other.kind != Disk_contact::Kind::ARC || have_different_chords(m_graph, own.index, other.index))
+    if (own.kind != Disk_footpoint::Kind::ARC || other.kind != Disk_footpoint::Kind::ARC || have_different_chords(m_graph, own.index, other.index))
       return std::nullopt;
     const Homogeneous_piece a = m_graph.arcs()[own.index].piece().uncut(), b = m_graph.arcs()[other.index].piece().uncut();
     for (const bool is_reversed : {false, true}) {

@@ -18,7 +18,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks that touch two arcs near their common vertex p, in an angle of less than 180 degrees. With X = p + s A on the front and Y = p + t B on the other arc, s > 0 and t = m s, the curvature of the disk that touches the front in X and passes through Y is
+Disks that touch two arcs near their common vertex p, in an angle of less than 180 degrees. With X = p + s A on the element and Y = p + t B on the other arc, s > 0 and t = m s, the curvature of the disk that touches the element in X and passes through Y is
 
   k = g(s,m) / s,   g = 2 <N, Z> / |Z|^2,   Z = m B - A,
 
@@ -30,7 +30,7 @@ class Basic_corner_disks
   using Interval_pair = std::array<Interval, 2>;
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
@@ -54,8 +54,8 @@ private:
   std::optional<Interval> m_excess;   // of scaled disks: (c^2 - 1) |N|^2
 
 public:
-  // For the part of a front, which begins or ends in one end of its arc, and a range of the other arc that begins or ends there too.
-  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
+  // For the part of an element, which begins or ends in one end of its arc, and a range of the other arc that begins or ends there too.
+  Basic_corner_disks(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const Arc_end& own, const Arc_end& other, const Range& range)
   {
     const Curve_jet x = graph.arcs()[own.arc].jet(part.range, 1), y = graph.arcs()[other.arc].jet(range, 2);
     const Interval own_way(own.is_end ? -1 : 1), way(other.is_end ? -1 : 1);

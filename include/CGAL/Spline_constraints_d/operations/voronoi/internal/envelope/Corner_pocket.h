@@ -6,7 +6,7 @@
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace Voronoi {
 /*
 Two arcs that join nearly smoothly, seen from the side where their angle is less than 180 degrees. From far away there is nothing but a smooth joint; but disks in the corner touch both arcs, at distances from it that are smaller than any interval can tell apart.
 
-Let the disk that touches the front in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the front between X and the corner touches something else in the pocket, and if nothing else is there, the
-other arc. Hence such points X form a range of the front that begins in the corner, and for this no disk has to be looked at.
+Let the disk that touches the element in X touch the other arc in Y, and let both be near the corner. It cuts a pocket off, bounded by X, the corner, Y and the chord XY. The chords of disks that are empty do not cross. So a disk that touches the element between X and the corner touches something else in the pocket, and if nothing else is there, the
+other arc. Hence such points X form a range of the element that begins in the corner, and for this no disk has to be looked at.
 */
 template <Enclosing_number Interval>
 class Basic_corner_pocket
@@ -31,8 +31,8 @@ class Basic_corner_pocket
   using Interval_pair = std::array<Interval, 2>;
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
@@ -42,20 +42,20 @@ class Basic_corner_pocket
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
-  const Front_part& m_part;
+  const Element_part& m_part;
   Arc_end m_own, m_other;
   double m_scale;   // of the parameter of the other arc
   Range m_range;    // of that, with all that disks may touch there
 
 public:
-  // The pocket at an end of a part of a front, if there is one.
-  static std::optional<Corner_pocket> at_end_of(const Front_part& part, const Site_graph_2& graph, const Disk_curvature& curvature)
+  // The pocket at an end of a part of an element, if there is one.
+  static std::optional<Corner_pocket> at_end_of(const Element_part& part, const Site_graph_2& graph, const Disk_curvature& curvature)
   {
-    const Front& front = graph.fronts()[part.front];
+    const Oriented_element& element = graph.elements()[part.element];
     for (const bool end : {false, true}) {
-      if (front.is_fan || (end ? part.range.end < 1 : part.range.begin > 0))
+      if (element.is_normal_cone || (end ? part.range.end < 1 : part.range.begin > 0))
         continue;
-      if (const Arc_end own{front.object, end}; graph.is_pocket(front, own))
+      if (const Arc_end own{element.object, end}; graph.is_pocket(element, own))
         return Corner_pocket(graph, curvature, part, own, *graph.nearly_smooth_continuation(own));
     }
     return std::nullopt;
@@ -78,16 +78,16 @@ public:
     return std::erase_if(candidates, is_of_other) > 0;
   }
 
-  // The end of the front that is in the corner.
+  // The end of the element that is in the corner.
   bool end() const { return m_own.is_end; }
 
   // Where disks touch the other arc. There may be several maxima of their curvature.
-  Located_contact contact() const { return contact(m_range); }
+  Located_footpoint footpoint() const { return footpoint(m_range); }
 
-  // The same for the disks of a range of the front that are not larger than those of some curvature.
-  Located_contact contact(const Range& range, double least) const
+  // The same for the disks of a range of the element that are not larger than those of some curvature.
+  Located_footpoint footpoint(const Range& range, double least) const
   {
-    const Front_part part = m_curvature.part(m_part.front, range);
+    const Element_part part = m_curvature.part(m_part.element, range);
     Range result = m_range;
     for (int i = 0; i < most_shrinkings; ++i) {
       const double middle = result.middle();
@@ -96,14 +96,14 @@ public:
         break;
       (m_other.is_end ? result.begin : result.end) = middle;
     }
-    return contact(result);
+    return footpoint(result);
   }
 
   // Whether disks in the pocket leave no part of the other arc out: none touches it twice.
-  bool has_one_stretch() const { return m_graph.arcs()[m_other.arc].is_spiral(m_range); }
+  bool has_one_envelope_arc() const { return m_graph.arcs()[m_other.arc].is_spiral(m_range); }
 
-  // Whether disks may touch the far end of the other arc, as those do that are too far from the corner: if a contact with the arc may be there, and their curvature is not known to decrease toward it.
-  bool may_touch_far_end(const Located_contact& located) const
+  // Whether disks may touch the far end of the other arc, as those do that are too far from the corner: if a footpoint with the arc may be there, and their curvature is not known to decrease toward it.
+  bool may_touch_far_end(const Located_footpoint& located) const
   {
     const double far = 1 - m_other.parameter();
     const int way = m_other.is_end ? -1 : 1;   // of the parameter, to the far end
@@ -117,18 +117,18 @@ public:
     return certain_sign(points[0] - pocket[0]) != 0 || certain_sign(points[1] - pocket[1]) != 0;
   }
 
-  // Whether the radii of the disks in the pocket grow with the distance from the corner: their contacts are never opposite.
+  // Whether the radii of the disks in the pocket grow with the distance from the corner: their footpoints are never opposite.
   bool has_growing_disks() const
   {
     const Curve_jet y = m_graph.arcs()[m_other.arc].jet(m_range, 1);
-    const Interval way(m_other.is_end != m_own.is_end ? 1 : -1), side(m_graph.fronts()[m_part.front].is_reversed ? -1 : 1);
+    const Interval way(m_other.is_end != m_own.is_end ? 1 : -1), side(m_graph.elements()[m_part.element].is_reversed ? -1 : 1);
     return dot(m_part.jet.normal, (way * side) * turned_left(y[1])).inf() > 0;
   }
 
-  // Whether the largest disk that touches the front in a point touches the other arc (1) rather than one of some curvature (-1); 0 if that is not certain.
+  // Whether the largest disk that touches the element in a point touches the other arc (1) rather than one of some curvature (-1); 0 if that is not certain.
   int sign(double u, const Interval& other_curvature) const
   {
-    const Front_part point = m_curvature.part(m_part.front, {u, u});
+    const Element_part point = m_curvature.part(m_part.element, {u, u});
     const double distance = std::abs(u - m_own.parameter()) * m_scale, v = m_other.is_end ? 1 - distance : distance;
     if (m_range.begin < v && v < m_range.end && (at(point, {v, v}) - other_curvature).inf() > 0)
       return 1;
@@ -136,15 +136,15 @@ public:
   }
 
 private:
-  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
+  Basic_corner_pocket(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const Arc_end& own, const Nearly_smooth_continuation& next)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_own(own), m_other(next.end), m_scale(next.scale), m_range{next.end.parameter(), next.end.parameter()}
   {}
 
-  Located_contact contact(const Range& range) const { return {{Disk_contact::Kind::ARC, m_other.arc}, range}; }
+  Located_footpoint footpoint(const Range& range) const { return {{Disk_footpoint::Kind::ARC, m_other.arc}, range}; }
 
-  Interval at(const Front_part& point, const Range& range) const { return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value; }
+  Interval at(const Element_part& point, const Range& range) const { return m_curvature(point, m_other.arc, range, m_graph.arcs()[m_other.arc].jet(range)).value; }
 
-  bool is_below(const Front_part& point, const Range& range, double curvature, int halvings) const
+  bool is_below(const Element_part& point, const Range& range, double curvature, int halvings) const
   {
     if (at(point, range).sup() < curvature)
       return true;

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_slope.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 
 #include <cstddef>
 #include <optional>
@@ -27,22 +27,22 @@ template <Enclosing_number Interval>
 class Basic_corner_tip
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
 
   const Site_graph_2& m_graph;
-  const Front_part& m_part;
-  const Front& m_front;
+  const Element_part& m_part;
+  const Oriented_element& m_element;
 
 public:
-  Basic_corner_tip(const Site_graph_2& graph, const Front_part& part) : m_graph(graph), m_part(part), m_front(graph.fronts()[part.front]) {}
+  Basic_corner_tip(const Site_graph_2& graph, const Element_part& part) : m_graph(graph), m_part(part), m_element(graph.elements()[part.element]) {}
 
   /*
   The arc with the larger curvature, seen from the vertex or the other arc, if there is no other candidate, and no disk touches it twice: so the disks leave no part of it out.
   */
-  std::optional<Located_contact> only_contact(const std::vector<Disk_candidate>& candidates) const
+  std::optional<Located_footpoint> only_footpoint(const std::vector<Disk_candidate>& candidates) const
   {
     for (const Arc_end& other : other_ends()) {
       Range range{other.parameter(), other.parameter()};
@@ -52,24 +52,24 @@ public:
         else
           range = Range();
       if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
-        return Located_contact{{Disk_contact::Kind::ARC, other.arc}, range};
+        return Located_footpoint{{Disk_footpoint::Kind::ARC, other.arc}, range};
     }
     return std::nullopt;
   }
 
-  // The vertex, and behind it on the front the other arc.
-  struct Contacts
+  // The vertex, and behind it on the element the other arc.
+  struct Footpoints
   {
     Arc_end own, other;
-    Located_contact vertex, arc;
+    Located_footpoint vertex, arc;
   };
 
   /*
   The arc with the larger curvature. A disk that touches it and the vertex leaves nothing between but the arc, on which curvatures grow up to the vertex. So all disks between touch the vertex, too, as that in the vertex does.
   */
-  std::optional<Contacts> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
+  std::optional<Footpoints> vertex_and_arc(const std::vector<Disk_candidate>& candidates) const
   {
-    if (m_front.is_fan)
+    if (m_element.is_normal_cone)
       return std::nullopt;
     for (const Arc_end& other : other_ends()) {
       const Arc_end own = m_graph.nearly_smooth_continuation(other)->end;
@@ -84,21 +84,21 @@ public:
         else if (candidate.kind != Disk_candidate::Kind::VERTEX || candidate.index != vertex)
           range = Range();
       if (is_part(range) && m_graph.arcs()[other.arc].is_spiral(range))
-        return Contacts{own, other, {{Disk_contact::Kind::VERTEX, vertex}}, {{Disk_contact::Kind::ARC, other.arc}, range}};
+        return Footpoints{own, other, {{Disk_footpoint::Kind::VERTEX, vertex}}, {{Disk_footpoint::Kind::ARC, other.arc}, range}};
     }
     return std::nullopt;
   }
 
-  // Whether the disk that touches the front in a point touches the vertex (1) or the arc (-1); 0 if that is not certain.
-  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Contacts& contacts, double u, double least) const
+  // Whether the disk that touches the element in a point touches the vertex (1) or the arc (-1); 0 if that is not certain.
+  int sign(const Disk_curvature& curvature, Disk_slopes& slopes, const Footpoints& footpoints, double u, double least) const
   {
-    if (u == contacts.own.parameter()) {
-      const Front_part point = curvature.part(m_part.front, {u, u});
-      const Interval arc = curvature(point, contacts.other.arc, contacts.arc.range, m_graph.arcs()[contacts.other.arc].jet(contacts.arc.range)).value;
-      return arc.sup() < curvature(point, contacts.vertex.contact.index).value.inf() ? 1 : 0;
+    if (u == footpoints.own.parameter()) {
+      const Element_part point = curvature.part(m_part.element, {u, u});
+      const Interval arc = curvature(point, footpoints.other.arc, footpoints.arc.range, m_graph.arcs()[footpoints.other.arc].jet(footpoints.arc.range)).value;
+      return arc.sup() < curvature(point, footpoints.vertex.footpoint.index).value.inf() ? 1 : 0;
     }
     const auto distances = [](const Range& range, const Arc_end& end) { return end.is_end ? Range{1 - range.end, 1 - range.begin} : range; };
-    switch (slopes(contacts.own.is_end, contacts.other).slopes(distances({u, u}, contacts.own), distances(contacts.arc.range, contacts.other), least).pattern) {
+    switch (slopes(footpoints.own.is_end, footpoints.other).slopes(distances({u, u}, footpoints.own), distances(footpoints.arc.range, footpoints.other), least).pattern) {
     case Sign_pattern::NEGATIVE: return 1;
     case Sign_pattern::FALLING:
     case Sign_pattern::POSITIVE: return -1;
@@ -109,18 +109,18 @@ public:
 private:
   static bool is_part(const Range& range) { return range.width() > 0 && range.width() < 1; }
 
-  // The ends of arcs next to the front in a vertex that the part reaches.
+  // The ends of arcs next to the element in a vertex that the part reaches.
   std::vector<Arc_end> other_ends() const
   {
     std::vector<Arc_end> result;
-    if (m_front.is_fan) {
-      for (const Arc_end& end : m_graph.vertices()[m_front.object].ends)
+    if (m_element.is_normal_cone) {
+      for (const Arc_end& end : m_graph.vertices()[m_element.object].ends)
         if (m_graph.nearly_smooth_continuation(end))
           result.push_back(end);
       return result;
     }
     for (const bool end : {false, true})
-      if (const auto& next = m_graph.nearly_smooth_continuation({m_front.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && !m_graph.is_pocket(m_front, {m_front.object, end}))
+      if (const auto& next = m_graph.nearly_smooth_continuation({m_element.object, end}); next && (end ? m_part.range.end == 1 : m_part.range.begin == 0) && !m_graph.is_pocket(m_element, {m_element.object, end}))
         result.push_back(next->end);
     return result;
   }

@@ -7,7 +7,7 @@
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Disk_slope.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_disks.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The ranges of arcs that disks may touch over a part of a front, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
+The ranges of arcs that disks may touch over a part of an element, by what is left when candidates have been pruned; and whether the curvature of the disks through a range is known to have one maximum there, or at one of its ends.
 */
 template <Enclosing_number Interval>
 class Basic_disk_clusters
@@ -32,13 +32,13 @@ class Basic_disk_clusters
   using Interval_pair = std::array<Interval, 2>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Corner_disks = Basic_corner_disks<Interval>;
-  using Fan_disks = Basic_fan_disks<Interval>;
+  using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
 public:
   enum class End_state { NOT_A_MAXIMUM, MAXIMUM, TOO_LOW, UNKNOWN };   // of an arc's end: k_v leads from it into the arc; to it; does not matter; or is not known
@@ -59,29 +59,29 @@ public:
 
 private:
   static constexpr double most_reach = 64;   // of a cluster at a corner, in units of the length of the part
-  static constexpr double most_gap = 4;   // between an end of the front and a part that is near it, in widths of the part
+  static constexpr double most_gap = 4;   // between an end of the element and a part that is near it, in widths of the part
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
   Disk_slopes& m_slopes;
-  const Front_part& m_part;
-  const Front& m_front;
+  const Element_part& m_part;
+  const Oriented_element& m_element;
   double m_least;   // curvature of all maximal disks
   std::vector<Cluster> m_clusters;
   bool m_are_known = true, m_is_one_part = false;   // the latter: all that is left is one range of one arc
 
 public:
-  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
-    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_front(graph.fronts()[part.front]), m_least(least)
+  Basic_disk_clusters(const Site_graph_2& graph, const Disk_curvature& curvature, Disk_slopes& slopes, const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
+    : m_graph(graph), m_curvature(curvature), m_slopes(slopes), m_part(part), m_element(graph.elements()[part.element]), m_least(least)
   {
     collect(candidates);
     if (!(least > 0))
-      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_front(cluster); });
+      std::erase_if(m_clusters, [&](const Cluster& cluster) { return is_below_element(cluster); });
     merge_at_common_vertices();
-    if (!m_front.is_fan)
+    if (!m_element.is_normal_cone)
       for (const bool end : {false, true})
-        for (const Arc_end& next : graph.vertices()[graph.vertex_of({m_front.object, end})].ends)
-          if (graph.continuations({m_front.object, end}).hold(next))
+        for (const Arc_end& next : graph.vertices()[graph.vertex_of({m_element.object, end})].ends)
+          if (graph.continuations({m_element.object, end}).hold(next))
             merge_at_joint(next);
     for (Cluster& cluster : m_clusters)
       m_are_known = m_are_known && has_one_maximum(cluster);
@@ -105,9 +105,9 @@ public:
   }
 
 private:
-  Curvature_bounds at(const Front_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
+  Curvature_bounds at(const Element_part& part, std::size_t arc, const Range& range) const { return m_curvature(part, arc, range, m_graph.arcs()[arc].jet(range)); }
 
-  Curvature_bounds at(const Front_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
+  Curvature_bounds at(const Element_part& part, const Arc_end& end) const { return at(part, end.arc, {end.parameter(), end.parameter()}); }
 
   // Neighbouring candidates form one cluster, as do all of a segment.
   void collect(const std::vector<Disk_candidate>& candidates)
@@ -129,7 +129,7 @@ private:
     m_is_one_part = m_clusters.size() == 1 && std::all_of(candidates.begin(), candidates.end(), [](const Disk_candidate& candidate) { return candidate.kind == Disk_candidate::Kind::ARC; });
   }
 
-  // Disks that touch the front in one point are nested, also when they are scaled, and a line or circle meets the boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its points through which there are disks of at least some positive curvature are connected.
+  // Disks that touch the element in one point are nested, also when they are scaled, and a line or circle meets the boundary of each in two points at most, but for a circle that is the boundary of a scaled one: whether those of its points through which there are disks of at least some positive curvature are connected.
   bool are_connected(std::size_t arc) const
   {
     const Site_arc_2& y = m_graph.arcs()[arc];
@@ -141,7 +141,7 @@ private:
   {
     if (cluster.is_known)
       return true;
-    if (const auto nearest = nearest_end_on_line_through_fan(cluster.arc)) {
+    if (const auto nearest = nearest_end_on_line_through_normal_cone(cluster.arc)) {
       cluster.ends[*nearest] = End_state::MAXIMUM;
       return true;
     }
@@ -179,7 +179,7 @@ private:
   bool has_one_maximum_on_flat_arc(Cluster& cluster) const { return m_is_one_part && m_least > 0 && is_flat(cluster) && has_one_connected_maximum(cluster, m_least, false); }
 
   /*
-  Whether an arc has less curvature than all disks, on the side on which they touch the front. Where it goes away from each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it from inside when it is moved away from the chord between.
+  Whether an arc has less curvature than all disks, on the side on which they touch the element. Where it goes away from each of its points, it meets each of them in connected points: if it left a disk and came back, that would touch it from inside when it is moved away from the chord between.
   */
   bool is_flat(const Cluster& cluster) const
   {
@@ -228,75 +228,75 @@ private:
     return (!cluster.touches(false) && slope_at(cluster.range.begin) < 0) || (!cluster.touches(true) && slope_at(cluster.range.end) > 0);
   }
 
-  // The end of a segment that is nearest to the vertex of a fan, if that is on its line, and not in the segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
-  std::optional<bool> nearest_end_on_line_through_fan(std::size_t arc) const
+  // The end of a segment that is nearest to the vertex of a normal cone, if that is on its line, and not in the segment: disks through the segment are the smaller, the nearer to the vertex they pass through it.
+  std::optional<bool> nearest_end_on_line_through_normal_cone(std::size_t arc) const
   {
     const Site_arc_2& segment = m_graph.arcs()[arc];
-    if (!m_front.is_fan || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_front.object].is_exact)
+    if (!m_element.is_normal_cone || !segment.is_straight() || segment.turns_back() || m_curvature.is_arc_scaled(arc) || !m_graph.vertices()[m_element.object].is_exact)
       return std::nullopt;
     const std::size_t begin = m_graph.vertex_of({arc, false}), end = m_graph.vertex_of({arc, true});
-    const typename Site_graph_2::Vertex& fan = m_graph.vertices()[m_front.object];
-    const Interval_pair to_begin = m_graph.vertices()[begin].point - fan.point, to_end = m_graph.vertices()[end].point - fan.point;
-    if (begin == m_front.object || end == m_front.object || certain_sign(dot(to_begin, to_end)) <= 0 || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(fan.exact_point))
+    const typename Site_graph_2::Vertex& normal_cone = m_graph.vertices()[m_element.object];
+    const Interval_pair to_begin = m_graph.vertices()[begin].point - normal_cone.point, to_end = m_graph.vertices()[end].point - normal_cone.point;
+    if (begin == m_element.object || end == m_element.object || certain_sign(dot(to_begin, to_end)) <= 0 || certain_sign(dot(turned_left(to_begin), to_end)) != 0 || !segment.is_on_line_or_circle(normal_cone.exact_point))
       return std::nullopt;
     const int order = certain_sign(squared_norm(to_begin) - squared_norm(to_end));
     return order == 0 ? std::nullopt : std::optional(order > 0);
   }
 
-  // Calls visit(slope, end of the front, range of the distance from that, end of the arc, range of the distance from that) for the ends that the part and a cluster reach, until that returns true.
+  // Calls visit(slope, end of the element, range of the distance from that, end of the arc, range of the distance from that) for the ends that the part and a cluster reach, until that returns true.
   template <class Visit>
   bool is_any_end(const Cluster& cluster, const Visit& visit) const
   {
     const auto from = [](const Range& range, bool end) { return end ? Range{1 - range.end, 1 - range.begin} : range; };
-    for (const bool front_end : {false, true})
+    for (const bool element_end : {false, true})
       for (const bool end : {false, true}) {
-        const Range a = from(m_part.range, front_end);
-        if (!cluster.touches(end) || !is_decided_by_polynomials(a, front_end, {cluster.arc, end}))
+        const Range a = from(m_part.range, element_end);
+        if (!cluster.touches(end) || !is_decided_by_polynomials(a, element_end, {cluster.arc, end}))
           continue;
-        const Disk_slope& slope = m_slopes(front_end, {cluster.arc, end});
-        if (visit(slope, front_end, a, end, from(cluster.range, end)) || (slope.has_powers() && visit(m_slopes(front_end, {cluster.arc, end}, false), front_end, a, end, from(cluster.range, end))))
+        const Disk_slope& slope = m_slopes(element_end, {cluster.arc, end});
+        if (visit(slope, element_end, a, end, from(cluster.range, end)) || (slope.has_powers() && visit(m_slopes(element_end, {cluster.arc, end}, false), element_end, a, end, from(cluster.range, end))))
           return true;
       }
     return false;
   }
 
-  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the front: where both join; where the derivative is zero, or the curvature or its derivative; on the circle of the front, in tangents of it; and near a tie.
-  bool is_decided_by_polynomials(const Range& distance, bool front_end, const Arc_end& end) const
+  // Whether intervals cannot decide in an end of an arc, at a distance from an end of the element: where both join; where the derivative is zero, or the curvature or its derivative; on the circle of the element, in tangents of it; and near a tie.
+  bool is_decided_by_polynomials(const Range& distance, bool element_end, const Arc_end& end) const
   {
-    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_front.is_fan && !m_graph.is_exact({m_front.object, front_end})))
+    if (m_curvature.is_arc_scaled(end.arc) || !m_graph.is_exact(end) || (!m_element.is_normal_cone && !m_graph.is_exact({m_element.object, element_end})))
       return false;
     const bool is_near = distance.begin <= most_gap * distance.width(), is_flat = m_graph.arcs()[end.arc].is_curvature_stationary(end.is_end) || m_graph.arcs()[end.arc].is_curvature_zero(end.is_end);
     const std::size_t vertex = m_graph.vertex_of(end);
-    if (m_front.is_fan)
-      return is_near && (vertex == m_front.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || is_flat || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(front_end, end));
-    const Arc_end own{m_front.object, front_end};
+    if (m_element.is_normal_cone)
+      return is_near && (vertex == m_element.object ? m_graph.arcs()[end.arc].circle().has_value() || !m_graph.is_regular(end) || is_flat || m_graph.nearly_smooth_continuation(end).has_value() : is_tie(element_end, end));
+    const Arc_end own{m_element.object, element_end};
     if (own == end)
       return is_near && (!m_graph.is_regular(end) || is_flat);
     if (m_graph.continuations(own).hold(end))
       return true;
-    if (m_graph.arcs()[m_front.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.front, vertex))
+    if (m_graph.arcs()[m_element.object].circle() && m_graph.is_vertex_on_line_or_circle_of(m_part.element, vertex))
       return true;
-    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(front_end, end));
+    return is_near && (vertex == m_graph.vertex_of(own) || is_tie(element_end, end));
   }
 
-  // Whether the disk that touches the front in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
-  bool is_tie(bool front_end, const Arc_end& end) const
+  // Whether the disk that touches the element in its end and passes through the end of an arc may be a half-plane, or touch the arc there.
+  bool is_tie(bool element_end, const Arc_end& end) const
   {
-    const double u = front_end ? 1 : 0, v = end.parameter();
-    const Curvature_bounds k = at(m_curvature.part(m_part.front, {u, u}), end.arc, {v, v});
+    const double u = element_end ? 1 : 0, v = end.parameter();
+    const Curvature_bounds k = at(m_curvature.part(m_part.element, {u, u}), end.arc, {v, v});
     return certain_sign(k.value) == 0 || certain_sign(k.dv) == 0;
   }
 
   bool has_known_slopes(Cluster& cluster) const
   {
-    return is_any_end(cluster, [&](const Disk_slope& slope, bool front_end, const Range& a, bool end, const Range& b) {
+    return is_any_end(cluster, [&](const Disk_slope& slope, bool element_end, const Range& a, bool end, const Range& b) {
       const Path_signs signs = slope.slopes(a, b, m_least);
       if (signs.pattern == Sign_pattern::UNKNOWN || signs.pattern == Sign_pattern::ZERO)
         return false;
       cluster.is_too_low = signs.pattern == Sign_pattern::NONE;
       cluster.least = m_least;
       if (const double share = slope.share_of_largest(a); share > 0)
-        cluster.corner = {front_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
+        cluster.corner = {element_end ? 1.0 : 0.0, share, slope.power_of_share(), slope.is_share_of_root()};
       const auto state = [&](bool is_maximum, bool is_irrelevant) { return is_maximum ? End_state::MAXIMUM : is_irrelevant ? End_state::TOO_LOW : End_state::NOT_A_MAXIMUM; };
       cluster.ends[end] = signs.pattern == Sign_pattern::FALLING_OR_NEGATIVE ? End_state::UNKNOWN : state(signs.pattern == Sign_pattern::NEGATIVE, signs.begin_irrelevant);
       cluster.ends[!end] = state(signs.pattern == Sign_pattern::POSITIVE, signs.end_irrelevant);
@@ -305,42 +305,42 @@ private:
   }
 
   // Whether all disks through a cluster are half-planes or larger.
-  bool is_below_front(const Cluster& cluster) const
+  bool is_below_element(const Cluster& cluster) const
   {
     return is_any_end(cluster, [](const Disk_slope& slope, bool, const Range& a, bool, const Range& b) { return slope.is_value_negative(a, b); });
   }
 
-  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one. In tangents of the circle of the front it may do so on both sides.
+  // Where arcs join smoothly, the curvature grows in the end of one of them if it does so in the end of the other one. In tangents of the circle of the element it may do so on both sides.
   void settle_joints()
   {
     for (Cluster& cluster : m_clusters)
       for (const bool end : {false, true}) {
         const auto continuation = m_curvature.continuation(m_part, {cluster.arc, end});
         const Cluster* next = continuation ? cluster_at(*continuation) : nullptr;
-        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.front, m_graph.vertex_of({cluster.arc, end})))
+        if (cluster.ends[end] != End_state::UNKNOWN || next == nullptr || m_graph.is_vertex_on_line_or_circle_of(m_part.element, m_graph.vertex_of({cluster.arc, end})))
           continue;
         const End_state state = next->ends[continuation->is_end];
         cluster.ends[end] = state == End_state::MAXIMUM ? End_state::NOT_A_MAXIMUM : state == End_state::NOT_A_MAXIMUM ? End_state::MAXIMUM : End_state::UNKNOWN;
       }
   }
 
-  // What is left of an arc next to a vertex that it has in common with the front is one cluster, if it is known to have one maximum.
+  // What is left of an arc next to a vertex that it has in common with the element is one cluster, if it is known to have one maximum.
   void merge_at_common_vertices()
   {
-    if (m_front.is_fan) {
-      for (const Arc_end& end : m_graph.vertices()[m_front.object].ends)
-        merge_at_fan(end);
+    if (m_element.is_normal_cone) {
+      for (const Arc_end& end : m_graph.vertices()[m_element.object].ends)
+        merge_at_normal_cone(end);
       return;
     }
     for (const bool end : {false, true})
       if (end ? m_part.range.end == 1 : m_part.range.begin == 0)
-        merge_at_corners({m_front.object, end});
+        merge_at_corners({m_element.object, end});
   }
 
-  void merge_at_fan(const Arc_end& other)
+  void merge_at_normal_cone(const Arc_end& other)
   {
     const auto is_part = [&](const Cluster& cluster) { return cluster.arc == other.arc; };
-    if (auto all = united_at(other, is_part); all && has_one_maximum_at_fan(*all, other))
+    if (auto all = united_at(other, is_part); all && has_one_maximum_at_normal_cone(*all, other))
       replace(is_part, *all);
   }
 
@@ -404,7 +404,7 @@ private:
     m_clusters.push_back(cluster);
   }
 
-  // The same for an arc that goes on where that of the front ends, if its clusters one by one are not known.
+  // The same for an arc that goes on where that of the element ends, if its clusters one by one are not known.
   void merge_at_joint(const Arc_end& other)
   {
     std::optional<Cluster> all;
@@ -424,11 +424,11 @@ private:
     m_clusters.push_back(*all);
   }
 
-  // Where the fan is perpendicular to the arc.
-  bool has_one_maximum_at_fan(const Cluster& cluster, const Arc_end& other) const
+  // Where the normal cone is perpendicular to the arc.
+  bool has_one_maximum_at_normal_cone(const Cluster& cluster, const Arc_end& other) const
   {
     for (const bool normal : {false, true})
-      if (m_graph.is_perpendicular(m_front, normal, other) && Fan_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
+      if (m_graph.is_perpendicular(m_element, normal, other) && Normal_cone_disks(m_graph, m_part, normal, other, cluster.range).has_one_maximum())
         return true;
     return false;
   }

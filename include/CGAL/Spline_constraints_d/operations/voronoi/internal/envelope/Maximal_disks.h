@@ -6,14 +6,14 @@
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Element_tangent.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Front_tangent.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_disk.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_half_plane.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Common_line.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_pocket.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_tip.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_disk.h>
 
 #include <algorithm>
@@ -29,34 +29,34 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// The end of a stretch of disks in the corner of a pocket, and the curvature of the disk at the other end.
+// The end of an envelope arc of disks in the corner of a pocket, and the curvature of the disk at the other end.
 struct Corner_end
 {
   bool is_end;
   Interval curvature;
 };
 
-// A stretch of a front whose maximal disks touch the same thing elsewhere, and what happens at its ends, where the event is located by a range of the parameter.
-struct Disk_stretch
+// An envelope arc of an element whose maximal disks touch the same thing elsewhere, and what happens at its ends, where the event is located by a range of the parameter.
+struct Envelope_arc
 {
-  Disk_contact contact;
+  Disk_footpoint footpoint;
   Range range;
   std::array<Disk_event, 2> events{Disk_event::NONE, Disk_event::NONE};
-  std::vector<std::pair<Range, Located_contact>> boxes{};   // ranges of the front in order, and where the contact is
+  std::vector<std::pair<Range, Located_footpoint>> boxes{};   // ranges of the element in order, and where the footpoint is
   std::optional<Corner_end> corner{};                       // where disks are in a pocket, which is smaller than doubles can tell
   bool holds_events = false;                                // at its ends; they are not known any better
 
-  const Located_contact& located(double u) const
+  const Located_footpoint& located(double u) const
   {
     return std::partition_point(boxes.begin(), boxes.end() - 1, [u](const auto& b) { return b.first.end < u; })->second;
   }
 };
 
 /*
-The largest disks that touch a front and have no curve inside. Where u runs along the front their curvature is the upper envelope of max_v k(u,v) over all arcs, and 0: a function of one variable, whose pieces and the events between these are proved as follows.
+The largest disks that touch an element and have no curve inside. Where u runs along the element their curvature is the upper envelope of max_v k(u,v) over all arcs, and 0: a function of one variable, whose pieces and the events between these are proved as follows.
 
-A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one stretch. If there are two, and the derivative of the difference has a sign, the
-signs of the difference at both ends tell whether they change places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in the end; and that at v = u, whether the disk touches the front before or after u: there is a tip of the diagram between.
+A range of u is split until little is left of the arcs that can reach the envelope, and all of it is known to have at most one maximum in v each, for all u (k_vv < 0). If there is one, the range belongs to one envelope arc. If there are two, and the derivative of the difference has a sign, the
+signs of the difference at both ends tell whether they change places, just once. In the same way the sign of k_v at the end of an arc tells whether the maximum is in the arc or in the end; and that at v = u, whether the disk touches the element before or after u: there is a tip of the diagram between.
 
 What doubles cannot decide is swept once more with numbers of higher precision, in the end over ranges of the least width. What these cannot decide is left unresolved.
 */
@@ -65,27 +65,27 @@ class Basic_maximal_disks
 {
   using Interval_pair = std::array<Interval, 2>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Disk_candidates = Basic_disk_candidates<Interval>;
-  using Disk_contacts = Basic_disk_contacts<Interval>;
+  using Disk_footpoints = Basic_disk_footpoints<Interval>;
   using Maximal_disks = Basic_maximal_disks<Interval>;
   using Common_disk = Basic_common_disk<Interval>;
   using Common_half_plane = Basic_common_half_plane<Interval>;
   using Common_line = Basic_common_line<Interval>;
   using Corner_pocket = Basic_corner_pocket<Interval>;
   using Corner_tip = Basic_corner_tip<Interval>;
-  using Front_tangent = Basic_front_tangent<Interval>;
+  using Element_tangent = Basic_element_tangent<Interval>;
   using Mirrored_disk = Basic_mirrored_disk<Interval>;
 
   static constexpr double split_ratio = 0.48291015625;   // no place where drawings have vertices
   static constexpr bool is_in_doubles = std::same_as<Interval, CGAL::Interval_nt<false>>;
-  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52, least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;   // of parts; normals of a small fan differ by less than doubles show
+  static constexpr double least_width = is_in_doubles ? 0x1p-39 : 0x1p-52, least_width_in_joint = is_in_doubles ? 0x1p-6 : least_width;   // of parts; normals of a small normal cone differ by less than doubles show
   static constexpr double exact_width = 0x1p-24;         // of parts where events that coincide are decided exactly
   static constexpr double widest_event = 0x1p-12;        // of ranges that hold an event: doubles know some no better than that, but mostly those of smaller parts do
-  static constexpr double most_corner = 0x1p-30;         // of a stretch of which nothing is known but its ends
-  static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of a front
+  static constexpr double most_corner = 0x1p-30;         // of an envelope arc of which nothing is known but its ends
+  static constexpr int most_places = 4;                  // small ones, unresolved, before less is done for the rest of an element
   static constexpr int most_nodes = 50000, most_unproved_nodes = 200;   // the latter where curves are known to touch or overlap, and that is not settled
   static constexpr std::size_t most_bounds = 1500000;                   // of candidates: what was proved in surveys needed 523,121 at most
 
@@ -98,10 +98,10 @@ class Basic_maximal_disks
   const Cusps_2* m_cusps;
   Disk_candidates m_candidates;
   const Fine_level* m_fine_level;   // none on that level
-  Disk_slopes* m_slopes = nullptr;   // of the front
-  std::vector<Disk_stretch> m_stretches;
+  Disk_slopes* m_slopes = nullptr;   // of the element
+  std::vector<Envelope_arc> m_envelope_arcs;
   std::optional<Range> m_unresolved;   // at the end of what has been swept
-  double m_size = 1;   // of the front: that of its arc, as a part of that of everything
+  double m_size = 1;   // of the element: that of its arc, as a part of that of everything
   int m_nodes = 0, m_most_nodes = most_nodes, m_fine_nodes = 0, m_places = 0;
   std::size_t m_most_bounds = most_bounds, m_fine_bounds = 0;
 
@@ -110,18 +110,18 @@ public:
     : Maximal_disks(graph, tree, Disk_curvature(graph), &cusps, fine_level)
   {}
 
-  // With scaled sites. Where no disk touches these, contacts are not told apart: they are said to be with nothing.
+  // With scaled sites. Where no disk touches these, footpoints are not told apart: they are said to be with nothing.
   Basic_maximal_disks(const Site_graph_2& graph, const Site_tree_2& tree, const Disk_curvature& curvature, const Cusps_2* cusps = nullptr, const Fine_level* fine_level = nullptr)
     : m_graph(graph), m_tree(tree), m_curvature(curvature), m_cusps(cusps), m_candidates(graph, tree, curvature, cusps), m_fine_level(fine_level)
   {}
 
-  // The stretches of a front in order; none if nothing could be resolved.
-  std::vector<Disk_stretch> operator()(std::size_t front) requires(is_in_doubles)
+  // The envelope arcs of an element in order; none if nothing could be resolved.
+  std::vector<Envelope_arc> operator()(std::size_t element) requires(is_in_doubles)
   {
-    Disk_slopes slopes(m_graph, front);
+    Disk_slopes slopes(m_graph, element);
     m_slopes = &slopes;
-    m_size = m_graph.fronts()[front].is_fan ? 1 : std::sqrt(m_tree.squared_size(m_graph.fronts()[front].object) / m_tree.squared_size());
-    m_stretches.clear();
+    m_size = m_graph.elements()[element].is_normal_cone ? 1 : std::sqrt(m_tree.squared_size(m_graph.elements()[element].object) / m_tree.squared_size());
+    m_envelope_arcs.clear();
     m_unresolved.reset();
     m_nodes = 0;
     m_most_nodes = m_graph.is_proved() ? most_nodes : most_unproved_nodes;
@@ -131,47 +131,47 @@ public:
     m_places = 0;
     Range range;
     for (const bool end : {false, true})
-      if (const auto* cusp = cusp_at(front, end)) {
+      if (const auto* cusp = cusp_at(element, end)) {
         (end ? range.end : range.begin) = end ? cusp->range.begin : cusp->range.end;
-        m_most_nodes = cusp->contact ? m_most_nodes : most_unproved_nodes;
+        m_most_nodes = cusp->footpoint ? m_most_nodes : most_unproved_nodes;
       }
-    append_cusp(front, false);
+    append_cusp(element, false);
     if (range.begin < range.end)
-      sweep(front, range, m_candidates.all());
-    append_cusp(front, true);
-    if (m_unresolved && !m_stretches.empty())
-      m_stretches.back().events[1] = Disk_event::UNRESOLVED;
-    return std::move(m_stretches);
+      sweep(element, range, m_candidates.all());
+    append_cusp(element, true);
+    if (m_unresolved && !m_envelope_arcs.empty())
+      m_envelope_arcs.back().events[1] = Disk_event::UNRESOLVED;
+    return std::move(m_envelope_arcs);
   }
 
-  // Sweeps a part of a front, which is divided no more often than some number, nor when more candidates have been bounded than another one. Returns whether all of it is resolved.
-  bool resolve_part(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes, std::size_t bounds)
+  // Sweeps a part of an element, which is divided no more often than some number, nor when more candidates have been bounded than another one. Returns whether all of it is resolved.
+  bool resolve_part(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates, Disk_slopes& slopes, int nodes, std::size_t bounds)
   {
     m_slopes = &slopes;
     m_most_nodes = nodes;
     m_most_bounds = bounds;
-    sweep(front, range, std::move(candidates));
-    const auto is_resolved = [](const Disk_stretch& stretch) { return stretch.events[0] != Disk_event::UNRESOLVED && stretch.events[1] != Disk_event::UNRESOLVED; };
-    return !m_unresolved && std::all_of(m_stretches.begin(), m_stretches.end(), is_resolved);
+    sweep(element, range, std::move(candidates));
+    const auto is_resolved = [](const Envelope_arc& envelope_arc) { return envelope_arc.events[0] != Disk_event::UNRESOLVED && envelope_arc.events[1] != Disk_event::UNRESOLVED; };
+    return !m_unresolved && std::all_of(m_envelope_arcs.begin(), m_envelope_arcs.end(), is_resolved);
   }
 
 private:
-  const Cusp_side* cusp_at(std::size_t front, bool end) const { return m_cusps != nullptr && m_cusps->side(front, end) ? &*m_cusps->side(front, end) : nullptr; }
+  const Cusp_side* cusp_at(std::size_t element, bool end) const { return m_cusps != nullptr && m_cusps->side(element, end) ? &*m_cusps->side(element, end) : nullptr; }
 
-  void append_cusp(std::size_t front, bool end)
+  void append_cusp(std::size_t element, bool end)
   {
-    const Cusp_side* cusp = cusp_at(front, end);
-    if (cusp != nullptr && cusp->contact)
-      append(*cusp->contact, cusp->range);
+    const Cusp_side* cusp = cusp_at(element, end);
+    if (cusp != nullptr && cusp->footpoint)
+      append(*cusp->footpoint, cusp->range);
     else if (cusp != nullptr)
       append_unresolved(cusp->range);
   }
 
-  void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
+  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates)
   {
-    const Front_part part = m_curvature.part(front, range);
+    const Element_part part = m_curvature.part(element, range);
     if (range.width() < exact_width && m_curvature.scaled_sites() == nullptr)
-      Front_tangent(m_graph, part).replace_segments(candidates);
+      Element_tangent(m_graph, part).replace_segments(candidates);
     const double least = m_candidates.prune(part, candidates, m_slopes->attained_curvature(range));
     const auto is_scaled = [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); };
     if (m_curvature.scaled_sites() != nullptr && std::none_of(candidates.begin(), candidates.end(), is_scaled)) {
@@ -179,12 +179,12 @@ private:
       return;
     }
     if (!(least > 0) && m_curvature.scaled_sites() == nullptr)
-      Front_tangent(m_graph, part).erase_behind(candidates);
+      Element_tangent(m_graph, part).erase_behind(candidates);
     if (resolve(part, candidates, least))
       return;
-    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[front]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
+    const bool is_in_joint = m_graph.is_in_nearly_smooth_joint(m_graph.elements()[element]), is_last = range.width() < (is_in_joint ? least_width_in_joint : least_width) || ++m_nodes > m_most_nodes || m_candidates.number_of_bounds() > m_most_bounds;
     const bool is_divided_there = is_last || (is_in_joint && range.width() == 1);   // with numbers that tell the normals of such a joint apart
-    if ((is_divided_there || Fine_level::is_tried(range, split_ratio, m_size)) && resolve_on_fine_level(front, range, candidates, is_divided_there))
+    if ((is_divided_there || Fine_level::is_tried(range, split_ratio, m_size)) && resolve_on_fine_level(element, range, candidates, is_divided_there))
       return;
     if (is_last) {
       if (candidates.size() > Disk_candidates::most_candidates)   // as in rounded circles, where disks nearly touch everything
@@ -193,12 +193,12 @@ private:
       return;
     }
     const double middle = range.begin + split_ratio * range.width();
-    sweep(front, {range.begin, middle}, candidates);
-    sweep(front, {middle, range.end}, std::move(candidates));
+    sweep(element, {range.begin, middle}, candidates);
+    sweep(element, {middle, range.end}, std::move(candidates));
   }
 
   // Sweeps a range with numbers of higher precision, with what is left to touch there. Returns whether it is resolved, but for smaller ranges of one that is not to be divided.
-  bool resolve_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
+  bool resolve_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_divided)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || m_fine_bounds >= Fine_level::most_bounds)
@@ -206,14 +206,14 @@ private:
       const bool are_many = candidates.size() > Fine_level::most_candidates;
       const int nodes = !is_divided ? 0 : (std::min)(Fine_level::most_nodes - m_fine_nodes, are_many ? Fine_level::most_nodes_of_many : Fine_level::most_nodes);
       Basic_maximal_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_fine_level->curvature(), m_cusps);
-      const bool is_resolved = disks.resolve_part(front, range, m_fine_level->candidates(candidates), *m_slopes, nodes, Fine_level::most_bounds - m_fine_bounds);
+      const bool is_resolved = disks.resolve_part(element, range, m_fine_level->candidates(candidates), *m_slopes, nodes, Fine_level::most_bounds - m_fine_bounds);
       m_fine_nodes += disks.m_nodes + are_many;
       m_fine_bounds += disks.m_candidates.number_of_bounds() + Fine_level::bounds_of_try;
-      if (!is_resolved && (!(range.width() < least_width) || disks.m_stretches.empty()))
+      if (!is_resolved && (!(range.width() < least_width) || disks.m_envelope_arcs.empty()))
         return false;
-      if (const double begin = disks.m_stretches.front().range.begin; begin > range.begin)
+      if (const double begin = disks.m_envelope_arcs.front().range.begin; begin > range.begin)
         append_unresolved({range.begin, begin});
-      append(disks.m_stretches);
+      append(disks.m_envelope_arcs);
       if (disks.m_unresolved)
         append_unresolved(*disks.m_unresolved);
       return true;
@@ -221,47 +221,47 @@ private:
     return false;
   }
 
-  // Finds the stretches within a range, if there is at most one event.
-  bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  // Finds the envelope arcs within a range, if there is at most one event.
+  bool resolve(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
-    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
-    if (!contacts.are_known())
+    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    if (!footpoints.are_known())
       return append_pocket(part, candidates, least) || append_tip(part, candidates, least);
-    const std::vector<Disk_branch> highest = contacts.highest();
+    const std::vector<Disk_branch> highest = footpoints.highest();
     if (highest.size() == 1)
-      return append_branch(contacts, part, highest[0]);
-    if (highest.size() == 2 && append_crossing(contacts, part, highest[0], highest[1]))
+      return append_branch(footpoints, part, highest[0]);
+    if (highest.size() == 2 && append_crossing(footpoints, part, highest[0], highest[1]))
       return true;
-    return part.range.width() < exact_width && append_common_disk(contacts, part, highest);
+    return part.range.width() < exact_width && append_common_disk(footpoints, part, highest);
   }
 
   /*
-  One disk that touches all contacts of a small part, those that go over from one arc to the next one in the point between both. As differences of curvatures are monotone, the contacts change places in that disk only.
+  One disk that touches all footpoints of a small part, those that go over from one arc to the next one in the point between both. As differences of curvatures are monotone, the footpoints change places in that disk only.
   */
-  bool append_common_disk(const Disk_contacts& contacts, const Front_part& part, const std::vector<Disk_branch>& branches)
+  bool append_common_disk(const Disk_footpoints& footpoints, const Element_part& part, const std::vector<Disk_branch>& branches)
   {
     const auto all = [&](const auto& has_property) { return std::all_of(branches.begin(), branches.end(), has_property); };
-    const auto outer = all([&](const Disk_branch& branch) { return contacts.moves_once(branch); }) ? contacts.before_and_after_common_disk(branches) : std::nullopt;
+    const auto outer = all([&](const Disk_branch& branch) { return footpoints.moves_once(branch); }) ? footpoints.before_and_after_common_disk(branches) : std::nullopt;
     if (!outer)
       return false;
     const auto& [before, after] = *outer;
-    const auto first = contacts.contact_at(before, part.range.begin), last = contacts.contact_at(after, part.range.end);
+    const auto first = footpoints.footpoint_at(before, part.range.begin), last = footpoints.footpoint_at(after, part.range.end);
     for (const bool end : {false, true})
-      if (const auto& contact = end ? first : last; contact && (end ? part.range.end == 1 : part.range.begin == 0) &&
-                                                    all([&](const Disk_branch& branch) { return (!branch.move || contacts.is_move_at_end(branch, end)) && contacts.are_equal_at_end(branches[0], branch, end); })) {
-        append(*contact, part.range);
+      if (const auto& footpoint = end ? first : last; footpoint && (end ? part.range.end == 1 : part.range.begin == 0) &&
+                                                    all([&](const Disk_branch& branch) { return (!branch.move || footpoints.is_move_at_end(branch, end)) && footpoints.are_equal_at_end(branches[0], branch, end); })) {
+        append(*footpoint, part.range);
         return true;
       }
-    const auto sign_at = [&, &before = before, &after = after](double u) { return contacts.compare(before, after, u); };
+    const auto sign_at = [&, &before = before, &after = after](double u) { return footpoints.compare(before, after, u); };
     if (sign_at(part.range.begin) <= 0 || sign_at(part.range.end) >= 0)
       return false;
-    const Located_contact &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
-    const Interval_pair middle = center(m_curvature.part(part.front, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
+    const Located_footpoint &at_begin = before.move && !after.move ? *last : *first, &at_end = before.move ? *last : *first;   // one that does not move, if there is one
+    const Interval_pair middle = center(m_curvature.part(part.element, range_of_zero(part.range, sign_at, 1)), at_begin, at_end);
     return is_disk_common(part, branches, middle) && append_change(part, true, sign_at, *first, *last, Disk_event::CROSSING);
   }
 
-  // Whether a disk with its center in an enclosure touches a part and all contacts: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies, or has a rational border.
-  bool is_disk_common(const Front_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
+  // Whether a disk with its center in an enclosure touches a part and all footpoints: by the simplest rational numbers, by symmetry, or as a half-plane that touches copies, or has a rational border.
+  bool is_disk_common(const Element_part& part, const std::vector<Disk_branch>& branches, const Interval_pair& center) const
   {
     const Common_disk disk(m_graph, m_curvature, center, branches);
     const auto touches = [&](const Disk_branch& branch) { return branch.move ? disk.touches_end({branch.move->arc, branch.move->parameter == 1}) : disk.touches(branch); };
@@ -270,31 +270,31 @@ private:
   }
 
   /*
-  A part with a pocket at its end. Where the disks do not touch its other arc, they touch one contact outside of it.
+  A part with a pocket at its end. Where the disks do not touch its other arc, they touch one footpoint outside of it.
   */
-  bool append_pocket(const Front_part& part, std::vector<Disk_candidate> candidates, double least)
+  bool append_pocket(const Element_part& part, std::vector<Disk_candidate> candidates, double least)
   {
     if (m_curvature.scaled_sites() != nullptr)   // a pocket excludes sites at their distance
       return false;
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
     if (!pocket || !pocket->take(candidates) || !std::all_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)); }))
       return false;
-    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
-    if (!contacts.are_known())
+    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    if (!footpoints.are_known())
       return false;
-    const std::vector<Disk_branch> outside = contacts.highest();
-    if (!pocket->has_one_stretch() || outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].contact.kind == Disk_contact::Kind::CIRCLE)))
+    const std::vector<Disk_branch> outside = footpoints.highest();
+    if (!pocket->has_one_envelope_arc() || outside.size() > 1 || (!outside.empty() && (outside[0].move || outside[0].footpoint.kind == Disk_footpoint::Kind::CIRCLE)))
       return false;
-    const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, {u, u}), outside[0]).curvature; };
+    const auto curvature_at = [&](double u) { return largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, {u, u}), outside[0]).curvature; };
     const auto sign_at = [&](double u) { return outside.empty() || u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, curvature_at(u)); };
     const auto& [begin, end] = part.range;
     const int far_sign = sign_at(pocket->end() ? begin : end);
     if (far_sign == 0)
       return false;
     if (far_sign > 0) {
-      if (pocket->may_touch_far_end(pocket->contact()))
+      if (pocket->may_touch_far_end(pocket->footpoint()))
         return false;
-      append(pocket->contact(), part.range);
+      append(pocket->footpoint(), part.range);
       return true;
     }
     const Range zero = range_of_zero(part.range, sign_at, sign_at(begin));
@@ -302,38 +302,38 @@ private:
     if (std::abs(event - (pocket->end() ? 1 : 0)) > most_corner)
       return false;
     const Interval curvature = curvature_at(event);
-    const Located_contact inside = pocket->contact(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
+    const Located_footpoint inside = pocket->footpoint(pocket->end() ? Range{event, end} : Range{begin, event}, curvature.inf()), other = outside[0], &first = pocket->end() ? other : inside, &last = pocket->end() ? inside : other;
     if (pocket->may_touch_far_end(inside))
       return false;
     append(first, {begin, event});
     append_event(Disk_event::CROSSING, last, {event, end});
-    Disk_stretch& corner = pocket->end() ? m_stretches.back() : *(m_stretches.end() - 2);
+    Envelope_arc& corner = pocket->end() ? m_envelope_arcs.back() : *(m_envelope_arcs.end() - 2);
     corner.corner = Corner_end{pocket->end(), in_doubles(curvature)};
     corner.holds_events = true;
     return true;
   }
 
   // A part at the tip in a corner, between arcs that are not scaled.
-  bool append_tip(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  bool append_tip(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Disk_candidate& candidate) { return m_candidates.may_be_scaled(candidate); }))
       return false;
     const Corner_tip tip(m_graph, part);
-    if (const auto only = tip.only_contact(candidates)) {
+    if (const auto only = tip.only_footpoint(candidates)) {
       append(*only, part.range);
       return true;
     }
-    const auto contacts = tip.vertex_and_arc(candidates);
-    const auto sign_at = [&](double u) { return tip.sign(m_curvature, *m_slopes, *contacts, u, least); };
-    return contacts && append_change(part, true, sign_at, contacts->vertex, contacts->arc, Disk_event::JOINT);
+    const auto footpoints = tip.vertex_and_arc(candidates);
+    const auto sign_at = [&](double u) { return tip.sign(m_curvature, *m_slopes, *footpoints, u, least); };
+    return footpoints && append_change(part, true, sign_at, footpoints->vertex, footpoints->arc, Disk_event::JOINT);
   }
 
-  // About the centers of the disks over a part of a front, with one contact where it begins and another one where it ends; between, they may go a little farther than there.
-  Interval_pair center(const Front_part& part, const Located_contact& first, const Located_contact& last) const
+  // About the centers of the disks over a part of an element, with one footpoint where it begins and another one where it ends; between, they may go a little farther than there.
+  Interval_pair center(const Element_part& part, const Located_footpoint& first, const Located_footpoint& last) const
   {
-    const auto at = [&](double u, const Located_contact& contact) {
-      const Front_part point = m_curvature.part(part.front, {u, u});
-      const Interval k = largest_curvature(m_graph, m_curvature, point, contact).curvature;
+    const auto at = [&](double u, const Located_footpoint& footpoint) {
+      const Element_part point = m_curvature.part(part.element, {u, u});
+      const Interval k = largest_curvature(m_graph, m_curvature, point, footpoint).curvature;
       return Interval_pair{point.jet.point[0] + point.jet.normal[0] / k, point.jet.point[1] + point.jet.normal[1] / k};
     };
     const Interval_pair ends = hull(at(part.range.begin, first), at(part.range.end, last));
@@ -341,27 +341,27 @@ private:
     return {ends[0] + Interval(-way, way), ends[1] + Interval(-way, way)};
   }
 
-  bool append_branch(const Disk_contacts& contacts, const Front_part& part, const Disk_branch& branch)
+  bool append_branch(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& branch)
   {
     if (!branch.move) {
       append(branch, part.range);
       return true;
     }
-    const auto sign = [&](double u) { return contacts.sign_of_move(branch, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return contacts.is_move_at_end(branch, end); }); };
-    return append_change(part, contacts.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
+    const auto sign = [&](double u) { return footpoints.sign_of_move(branch, u); };
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return footpoints.is_move_at_end(branch, end); }); };
+    return append_change(part, footpoints.is_sign_of_move_monotone(branch), sign_at, branch.move->positive, branch.move->negative, branch.move->event, branch.move->between);
   }
 
-  bool append_crossing(const Disk_contacts& contacts, const Front_part& part, const Disk_branch& first, const Disk_branch& second)
+  bool append_crossing(const Disk_footpoints& footpoints, const Element_part& part, const Disk_branch& first, const Disk_branch& second)
   {
     if (first.move || second.move)
       return false;
-    const auto sign = [&](double u) { return contacts.compare(first, second, u); };
-    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return contacts.are_equal_at_end(first, second, end); }); };
-    return append_change(part, contacts.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
+    const auto sign = [&](double u) { return footpoints.compare(first, second, u); };
+    const auto sign_at = [&](double u) { return sign_or_that_near_end(part.range, u, sign, [&](bool end) { return footpoints.are_equal_at_end(first, second, end); }); };
+    return append_change(part, footpoints.is_difference_monotone(first, second), sign_at, first, second, Disk_event::CROSSING);
   }
 
-  // The sign of a monotone function, or, where it is zero at an end of the front, the sign near that.
+  // The sign of a monotone function, or, where it is zero at an end of the element, the sign near that.
   template <class Sign, class Is_zero_at_end>
   static int sign_or_that_near_end(const Range& range, double u, const Sign& sign, const Is_zero_at_end& is_zero_at_end)
   {
@@ -372,9 +372,9 @@ private:
     return 0 < other && other < 1 ? sign(other) : 0;
   }
 
-  // Where a function is positive the contact is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known, which has to be small.
+  // Where a function is positive the footpoint is the first one, where it is negative the second one; there may be another one between, if only in the range where the sign is not known, which has to be small.
   template <class Sign>
-  bool append_change(const Front_part& part, bool is_monotone, const Sign& sign_at, const Located_contact& positive, const Located_contact& negative, Disk_event event, const std::optional<Located_contact>& between = std::nullopt)
+  bool append_change(const Element_part& part, bool is_monotone, const Sign& sign_at, const Located_footpoint& positive, const Located_footpoint& negative, Disk_event event, const std::optional<Located_footpoint>& between = std::nullopt)
   {
     if (!is_monotone)
       return false;
@@ -382,58 +382,58 @@ private:
     const int at_begin = sign_at(range.begin), at_end = sign_at(range.end);
     if (at_begin * at_end == 0)
       return false;
-    const Located_contact &before = at_begin > 0 ? positive : negative, &after = at_end > 0 ? positive : negative;
+    const Located_footpoint &before = at_begin > 0 ? positive : negative, &after = at_end > 0 ? positive : negative;
     if (at_begin == at_end) {
       append(before, range);
       return true;
     }
     const Range zero = range_of_zero(range, sign_at, at_begin);
-    if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.fronts()[part.front]))   // smaller parts tell more
+    if (zero.width() > widest_event && !m_graph.is_in_nearly_smooth_joint(m_graph.elements()[part.element]))   // smaller parts tell more
       return false;
     append(before, {range.begin, zero.begin});
     if (between) {
       append_event(event, *between, zero);
-      m_stretches.back().holds_events = true;
+      m_envelope_arcs.back().holds_events = true;
     }
     append_event(event, after, {zero.end, range.end});
     return true;
   }
 
-  void append_event(Disk_event event, const Located_contact& after, const Range& range)
+  void append_event(Disk_event event, const Located_footpoint& after, const Range& range)
   {
-    m_stretches.back().events[1] = event;
-    m_stretches.push_back({after.contact, range, {event, Disk_event::NONE}, {{range, after}}});
+    m_envelope_arcs.back().events[1] = event;
+    m_envelope_arcs.push_back({after.footpoint, range, {event, Disk_event::NONE}, {{range, after}}});
   }
 
-  void append(const Located_contact& located, const Range& range)
+  void append(const Located_footpoint& located, const Range& range)
   {
-    if (!m_stretches.empty() && !m_unresolved && m_stretches.back().contact == located.contact) {
-      m_stretches.back().range.end = range.end;
-      m_stretches.back().boxes.emplace_back(range, located);
+    if (!m_envelope_arcs.empty() && !m_unresolved && m_envelope_arcs.back().footpoint == located.footpoint) {
+      m_envelope_arcs.back().range.end = range.end;
+      m_envelope_arcs.back().boxes.emplace_back(range, located);
       return;
     }
-    // Two neighbouring ranges have different contacts only if both have the same curvature between them, which is decided nowhere.
-    const Disk_event event = m_unresolved || !m_stretches.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
-    if (!m_stretches.empty())
-      m_stretches.back().events[1] = event;
-    m_stretches.push_back({located.contact, range, {event, Disk_event::NONE}, {{range, located}}});
+    // Two neighbouring ranges have different footpoints only if both have the same curvature between them, which is decided nowhere.
+    const Disk_event event = m_unresolved || !m_envelope_arcs.empty() ? Disk_event::UNRESOLVED : Disk_event::NONE;
+    if (!m_envelope_arcs.empty())
+      m_envelope_arcs.back().events[1] = event;
+    m_envelope_arcs.push_back({located.footpoint, range, {event, Disk_event::NONE}, {{range, located}}});
     m_unresolved.reset();
   }
 
-  // Those of a range, of which the first one goes on with the last contact.
-  void append(const std::vector<Disk_stretch>& stretches)
+  // Those of a range, of which the first one goes on with the last footpoint.
+  void append(const std::vector<Envelope_arc>& envelope_arcs)
   {
-    const Disk_stretch& first = stretches.front();
+    const Envelope_arc& first = envelope_arcs.front();
     for (const auto& [range, located] : first.boxes)
       append(located, range);
-    m_stretches.back().events[1] = first.events[1];
+    m_envelope_arcs.back().events[1] = first.events[1];
     if (first.corner)
-      m_stretches.back().corner = first.corner;
-    m_stretches.back().holds_events = m_stretches.back().holds_events || first.holds_events;
-    m_stretches.insert(m_stretches.end(), stretches.begin() + 1, stretches.end());
+      m_envelope_arcs.back().corner = first.corner;
+    m_envelope_arcs.back().holds_events = m_envelope_arcs.back().holds_events || first.holds_events;
+    m_envelope_arcs.insert(m_envelope_arcs.end(), envelope_arcs.begin() + 1, envelope_arcs.end());
   }
 
-  // The diagram is not complete then: less is done for the rest of the front, unless there are only some such places, and small ones.
+  // The diagram is not complete then: less is done for the rest of the element, unless there are only some such places, and small ones.
   void append_unresolved(const Range& range)
   {
     if (range.width() > least_width || ++m_places > most_places)

@@ -5,8 +5,8 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_DISK_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Mirrored_footpoint.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,37 +19,37 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks of symmetric drawings, with centers on axes of symmetry, that touch a front and several contacts at once; where these are need not be rational.
+Disks of symmetric drawings, with centers on axes of symmetry, that touch an element and several footpoints at once; where these are need not be rational.
 
-Let a contact, which is not scaled, lie on the mirror image of the front. Any disk that touches the front and the image of that point is its own image, so that the branch of the contact has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
+Let a footpoint, which is not scaled, lie on the mirror image of the element. Any disk that touches the element and the image of that point is its own image, so that the branch of the footpoint has these disks. Where another branch crosses it, one disk touches both, and the images of all that it touches; if the second one is on
 an axis as well, its images in that axis too. Each branch has one maximum, which is the image if it holds it.
 */
 template <Enclosing_number Interval>
 class Basic_mirrored_disk
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
 
   const Site_graph_2& m_graph;
   const Disk_curvature& m_curvature;
-  const Front_part& m_part;
+  const Element_part& m_part;
   const std::vector<Disk_branch>& m_branches;
 
 public:
-  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Front_part& part, const std::vector<Disk_branch>& branches)
+  Basic_mirrored_disk(const Site_graph_2& graph, const Disk_curvature& curvature, const Element_part& part, const std::vector<Disk_branch>& branches)
     : m_graph(graph), m_curvature(curvature), m_part(part), m_branches(branches)
   {}
 
-  // Whether it is proved that one disk over the part touches all contacts, those that move in the end of an arc.
+  // Whether it is proved that one disk over the part touches all footpoints, those that move in the end of an arc.
   bool touches_all() const
   {
-    const Front& front = m_graph.fronts()[m_part.front];
-    if (front.is_fan && m_curvature.is_vertex_scaled(front.object))
+    const Oriented_element& element = m_graph.elements()[m_part.element];
+    if (element.is_normal_cone && m_curvature.is_vertex_scaled(element.object))
       return false;
     for (const Disk_branch& image : m_branches)
-      if (const auto mirror = mirror_of_front(image))
+      if (const auto mirror = mirror_of_element(image))
         for (const Disk_branch& other : m_branches)
           if (&other != &image && touches_all(image, *mirror, other))
             return true;
@@ -57,19 +57,19 @@ public:
   }
 
 private:
-  Touched_point touched_on_front(const Range& range) const
+  Touched_point touched_on_element(const Range& range) const
   {
-    const Front& front = m_graph.fronts()[m_part.front];
-    return {{front.is_fan ? Disk_contact::Kind::VERTEX : Disk_contact::Kind::ARC, front.object}, range};
+    const Oriented_element& element = m_graph.elements()[m_part.element];
+    return {{element.is_normal_cone ? Disk_footpoint::Kind::VERTEX : Disk_footpoint::Kind::ARC, element.object}, range};
   }
 
-  // The reflection that maps the front to a contact.
-  std::optional<Reflection_2> mirror_of_front(const Disk_branch& branch) const
+  // The reflection that maps the element to a footpoint.
+  std::optional<Reflection_2> mirror_of_element(const Disk_branch& branch) const
   {
-    if (branch.move || is_scaled(m_curvature, branch.contact))
+    if (branch.move || is_scaled(m_curvature, branch.footpoint))
       return std::nullopt;
-    for (const Reflection_2& mirror : reflections(m_graph, touched_on_front({}).contact, branch.contact))
-      if (const auto image = mirrored(m_graph, mirror, touched_on_front(m_part.range), branch.contact); image && image->range.meets(branch.range))
+    for (const Reflection_2& mirror : reflections(m_graph, touched_on_element({}).footpoint, branch.footpoint))
+      if (const auto image = mirrored(m_graph, mirror, touched_on_element(m_part.range), branch.footpoint); image && image->range.meets(branch.range))
         return mirror;
     return std::nullopt;
   }
@@ -80,14 +80,14 @@ private:
     const auto zero = crossing(image, fixed(other));
     if (!zero)
       return false;
-    const Front_part point = m_curvature.part(m_part.front, *zero);
-    const Touched_point on_front = touched_on_front(*zero), on_other{fixed(other).contact, largest_curvature(m_graph, m_curvature, point, fixed(other)).range};
+    const Element_part point = m_curvature.part(m_part.element, *zero);
+    const Touched_point on_element = touched_on_element(*zero), on_other{fixed(other).footpoint, largest_curvature(m_graph, m_curvature, point, fixed(other)).range};
     std::vector<Reflection_2> mirrors{mirror};
-    if (const auto second = mirror_of_front(other))
+    if (const auto second = mirror_of_element(other))
       mirrors.push_back(*second);
     if (other.move && !is_tangent_to_joint(mirror, other))
       return false;
-    std::vector<Touched_point> touched{on_front, on_other};
+    std::vector<Touched_point> touched{on_element, on_other};
     std::vector<const Disk_branch*> left;
     for (const Disk_branch& branch : m_branches)
       if (&branch != &other)
@@ -104,32 +104,32 @@ private:
   }
 
   // A branch, or the vertex in which it moves from one arc to the next one.
-  Located_contact fixed(const Disk_branch& branch) const
+  Located_footpoint fixed(const Disk_branch& branch) const
   {
-    return branch.move ? Located_contact{{Disk_contact::Kind::VERTEX, m_graph.vertex_of({branch.move->arc, branch.move->parameter == 1})}} : Located_contact(branch);
+    return branch.move ? Located_footpoint{{Disk_footpoint::Kind::VERTEX, m_graph.vertex_of({branch.move->arc, branch.move->parameter == 1})}} : Located_footpoint(branch);
   }
 
-  // Where the curvatures of two contacts change their order.
-  std::optional<Range> crossing(const Located_contact& a, const Located_contact& b) const
+  // Where the curvatures of two footpoints change their order.
+  std::optional<Range> crossing(const Located_footpoint& a, const Located_footpoint& b) const
   {
     const auto sign_at = [&](double u) {
-      const Front_part point = m_curvature.part(m_part.front, {u, u});
+      const Element_part point = m_curvature.part(m_part.element, {u, u});
       return certain_sign(largest_curvature(m_graph, m_curvature, point, a).curvature - largest_curvature(m_graph, m_curvature, point, b).curvature);
     };
     const int at_begin = sign_at(m_part.range.begin), at_end = sign_at(m_part.range.end);
     return at_begin * at_end < 0 ? std::optional(range_of_zero(m_part.range, sign_at, at_begin)) : std::nullopt;
   }
 
-  // Whether disks with the center on the axis are tangent to arcs where they pass through the joint in which the contact moves.
+  // Whether disks with the center on the axis are tangent to arcs where they pass through the joint in which the footpoint moves.
   bool is_tangent_to_joint(const Reflection_2& mirror, const Disk_branch& branch) const
   {
     const Arc_end end{branch.move->arc, branch.move->parameter == 1};
     return branch.move->event == Disk_event::JOINT && !branch.move->joined_ends && m_graph.is_exact(end) && m_curvature.is_arc_scaled(end.arc) == m_curvature.is_vertex_scaled(m_graph.vertex_of(end)) && mirror.is_perpendicular(m_graph.vertices()[m_graph.vertex_of(end)].exact_point, m_graph.direction(end));
   }
 
-  std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point, const Disk_branch& branch, const Front_part& part) const
+  std::optional<Touched_point> touched_image(const Reflection_2& mirror, const Touched_point& point, const Disk_branch& branch, const Element_part& part) const
   {
-    const auto image = branch.move || is_scaled(m_curvature, point.contact) != is_scaled(m_curvature, branch.contact) ? std::nullopt : mirrored(m_graph, mirror, point, branch.contact);
+    const auto image = branch.move || is_scaled(m_curvature, point.footpoint) != is_scaled(m_curvature, branch.footpoint) ? std::nullopt : mirrored(m_graph, mirror, point, branch.footpoint);
     return image && is_only_maximum(m_graph, m_curvature, part, *image, branch) ? image : std::nullopt;
   }
 };

@@ -19,15 +19,15 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// Whether something is outside of all disks of a part of a front, or in all of them to some extent.
+// Whether something is outside of all disks of a part of an element, or in all of them to some extent.
 enum class Held { NO, YES, UNKNOWN };
 
 // What is held by some disks, if parts of it are.
 inline Held held_by_any(Held a, Held b) { return a == Held::YES || b == Held::YES ? Held::YES : a == Held::NO ? b : a; }
 
-// The point of a front, its normal and the length of that over a range, each with two derivatives. The normal is not zero where the derivative is.
+// The point of an element, its normal and the length of that over a range, each with two derivatives. The normal is not zero where the derivative is.
 template <Enclosing_number Interval>
-struct Basic_front_expansion
+struct Basic_element_expansion
 {
   using Interval_pair = std::array<Interval, 2>;
 
@@ -36,18 +36,18 @@ struct Basic_front_expansion
   std::array<Interval_pair, 3> point{no_way, no_way, no_way}, normal{no_way, no_way, no_way};
   std::array<Interval, 3> length;
 
-  Basic_front_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_front<Interval>& front, const Range& range)
+  Basic_element_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_oriented_element<Interval>& element, const Range& range)
   {
-    if (front.is_fan) {
-      const Basic_front_jet<Interval> x = graph.front_jet(front, range);
+    if (element.is_normal_cone) {
+      const Basic_element_jet<Interval> x = graph.element_jet(element, range);
       point[0] = x.point;
       normal[0] = x.normal;
       normal[1] = x.normal_derivative;
     } else {
-      const Basic_site_arc_2<Interval>& arc = graph.arcs()[front.object];
+      const Basic_site_arc_2<Interval>& arc = graph.arcs()[element.object];
       const Basic_curve_jet<Interval> x = arc.jet(range, 3);
       const auto [tangent, change] = arc.tangent_jet(range);
-      const Interval side(front.is_reversed ? -1 : 1);
+      const Interval side(element.is_reversed ? -1 : 1);
       point = {x[0], x[1], x[2]};
       normal = {side * turned_left(tangent), side * turned_left(change), side * turned_left(arc.second_derivative_of_tangent(range))};
     }
@@ -58,9 +58,9 @@ struct Basic_front_expansion
 };
 
 /*
-Where the disks of a given radius r that touch a part of a front hold points of other sites: with D = Y - X, the disk of u holds Y(v) where H(u,v) = |N| <D,D> - 2 r <N,D> is negative. Bounds of H and its first and second derivatives, from those of the front.
+Where the disks of a given radius r that touch a part of an element hold points of other sites: with D = Y - X, the disk of u holds Y(v) where H(u,v) = |N| <D,D> - 2 r <N,D> is negative. Bounds of H and its first and second derivatives, from those of the element.
 
-From them, H is bounded by a polynomial of degree two in the distance from the middle of the part of the front, with second derivatives from the box: errors are of the third order.
+From them, H is bounded by a polynomial of degree two in the distance from the middle of the part of the element, with second derivatives from the box: errors are of the third order.
 */
 template <Enclosing_number Interval>
 class Basic_disk_reach
@@ -69,8 +69,8 @@ class Basic_disk_reach
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_expansion = Basic_front_expansion<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_expansion = Basic_element_expansion<Interval>;
 
   inline static const Interval_pair no_way{Interval(0), Interval(0)};
 
@@ -78,7 +78,7 @@ class Basic_disk_reach
   Interval m_two_r;
   Range m_range;
   Interval m_shift;   // from the middle of the part
-  Front_expansion m_over, m_middle;
+  Element_expansion m_over, m_middle;
 
 public:
   struct Jet
@@ -86,8 +86,8 @@ public:
     Interval value{0}, u{0}, v{0}, uu{0}, uv{0}, vv{0};
   };
 
-  Basic_disk_reach(const Site_graph_2& graph, const Front& front, const Interval& radius, const Range& range)
-    : m_graph(graph), m_two_r(Interval(2) * radius), m_range(range), m_shift(interval_of<Interval>(range) - Interval(range.middle())), m_over(graph, front, range), m_middle(graph, front, {range.middle(), range.middle()})
+  Basic_disk_reach(const Site_graph_2& graph, const Oriented_element& element, const Interval& radius, const Range& range)
+    : m_graph(graph), m_two_r(Interval(2) * radius), m_range(range), m_shift(interval_of<Interval>(range) - Interval(range.middle())), m_over(graph, element, range), m_middle(graph, element, {range.middle(), range.middle()})
   {}
 
   // Bounds over the part.
@@ -139,14 +139,14 @@ public:
   }
 
 private:
-  Jet of_vertex(const Front_expansion& front, std::size_t index) const { return jet(front, m_graph.vertices()[index].point, no_way, no_way); }
+  Jet of_vertex(const Element_expansion& element, std::size_t index) const { return jet(element, m_graph.vertices()[index].point, no_way, no_way); }
 
-  Jet of_point(const Front_expansion& front, std::size_t arc, const Range& location) const { return jet(front, m_graph.arcs()[arc].jet(location, 0)[0], no_way, no_way); }
+  Jet of_point(const Element_expansion& element, std::size_t arc, const Range& location) const { return jet(element, m_graph.arcs()[arc].jet(location, 0)[0], no_way, no_way); }
 
-  Jet of_arc(const Front_expansion& front, std::size_t index, const Range& range) const
+  Jet of_arc(const Element_expansion& element, std::size_t index, const Range& range) const
   {
     const Curve_jet y = m_graph.arcs()[index].jet(range, 2);
-    return jet(front, y[0], y[1], y[2]);
+    return jet(element, y[0], y[1], y[2]);
   }
 
   // About where H is least in the middle of the part, near a parameter: Newton's method.
@@ -184,11 +184,11 @@ private:
     return sign > 0 ? Held::NO : sign < 0 ? Held::YES : Held::UNKNOWN;
   }
 
-  Jet jet(const Front_expansion& front, const Interval_pair& y, const Interval_pair& y_v, const Interval_pair& y_vv) const
+  Jet jet(const Element_expansion& element, const Interval_pair& y, const Interval_pair& y_v, const Interval_pair& y_vv) const
   {
-    const auto& [n, n_u, n_uu] = front.normal;
-    const auto& [x, x_u, x_uu] = front.point;
-    const auto& [length, length_u, length_uu] = front.length;
+    const auto& [n, n_u, n_uu] = element.normal;
+    const auto& [x, x_u, x_uu] = element.point;
+    const auto& [length, length_u, length_uu] = element.length;
     const Interval two(2);
     const Interval_pair d = y - x;
     const Interval dd = squared_norm(d), dd_u = -two * dot(d, x_u), dd_v = two * dot(d, y_v);

@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_FREE_CHAINS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Touched_front.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Touched_element.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_ranges.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Touching_disk.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/undecided_parts.h>
@@ -23,20 +23,20 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The centers of the free disks of all fronts, as chains.
+The centers of the free disks of all elements, as chains.
 
-Where a front ends, the next one goes on. Where a disk has a second contact, the chain goes over to the front of that: there, the contact with the first front bounds a range of free disks, too. It is the only boundary in the range of the parameter that holds the contact, so
-the two are connected by proof, and nothing is compared by coordinates. As fronts are traversed with the free side on the left, so are chains.
+Where an element ends, the next one goes on. Where a disk has a second footpoint, the chain goes over to the element of that: there, the footpoint with the first element bounds a range of free disks, too. It is the only boundary in the range of the parameter that holds the footpoint, so
+the two are connected by proof, and nothing is compared by coordinates. As elements are traversed with the free side on the left, so are chains.
 */
 class Free_chains
 {
 public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  // A range of free disks of a front.
+  // A range of free disks of an element.
   struct Piece
   {
-    std::size_t front;
+    std::size_t element;
     Free_range range;
   };
 
@@ -48,13 +48,13 @@ public:
 
 private:
   const Site_graph_2& m_graph;
-  std::vector<Free_ranges> m_ranges;             // of each front
-  std::vector<std::size_t> m_first_piece_of;     // of each front, and the number of pieces
+  std::vector<Free_ranges> m_ranges;             // of each element
+  std::vector<std::size_t> m_first_piece_of;     // of each element, and the number of pieces
   std::vector<Piece> m_pieces;
   std::vector<Chain> m_chains;
 
 public:
-  // An enclosure of the disk where a piece has a second contact has the center `center(front, end)`.
+  // An enclosure of the disk where a piece has a second footpoint has the center `center(element, end)`.
   template <class Center>
   Free_chains(const Site_graph_2& graph, std::vector<Free_ranges> ranges, const Center& center) : m_graph(graph), m_ranges(std::move(ranges))
   {
@@ -69,12 +69,12 @@ public:
 
   const std::vector<Piece>& pieces() const { return m_pieces; }
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Front& front(const Piece& piece) const { return m_graph.fronts()[piece.front]; }
+  const Oriented_element& element(const Piece& piece) const { return m_graph.elements()[piece.element]; }
 
-  // The parts of fronts that are not decided, and those with the ends of chains that are not closed.
-  std::vector<Front_range> undecided() const
+  // The parts of elements that are not decided, and those with the ends of chains that are not closed.
+  std::vector<Element_range> undecided() const
   {
-    std::vector<Front_range> result;
+    std::vector<Element_range> result;
     for (std::size_t f = 0; f < m_ranges.size(); ++f)
       for (const Range& range : m_ranges[f].undecided)
         result.push_back({f, range});
@@ -82,19 +82,19 @@ public:
       if (!chain.is_closed)
         for (const bool is_end : {false, true}) {
           const Piece& piece = m_pieces[is_end ? chain.pieces.back() : chain.pieces.front()];
-          result.push_back({piece.front, end(piece, is_end).location});
+          result.push_back({piece.element, end(piece, is_end).location});
         }
     return result;
   }
 
   // Where a piece begins or ends.
-  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != front(piece).is_reversed]; }
+  const Free_end& end(const Piece& piece, bool is_end) const { return piece.range[is_end != element(piece).is_reversed]; }
 
   // The parameters where a piece begins and ends in the order of traversal; disks between them are free.
   std::array<double, 2> parameters(const Piece& piece) const
   {
     const double begin = piece.range[0].location.end, end = piece.range[1].location.begin;
-    return front(piece).is_reversed ? std::array{end, begin} : std::array{begin, end};
+    return element(piece).is_reversed ? std::array{end, begin} : std::array{begin, end};
   }
 
 private:
@@ -129,11 +129,11 @@ private:
   {
     const Free_end& last = end(piece, true);
     switch (last.kind) {
-    case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.front), last.kind);
-    case Free_end::Kind::POINT: return piece_around_point(piece.front);
+    case Free_end::Kind::FRONT_END: return first_piece(next_curve(piece.element), last.kind);
+    case Free_end::Kind::POINT: return piece_around_point(piece.element);
     case Free_end::Kind::CONTACT: {
-      const std::size_t across = piece_across(piece, center(piece.front, last));
-      return across != none ? across : piece_with_disk_of_contact(piece);
+      const std::size_t across = piece_across(piece, center(piece.element, last));
+      return across != none ? across : piece_with_disk_of_footpoint(piece);
     }
     case Free_end::Kind::TIE: {
       const std::size_t next = piece_with_disk(*last.disk, false);
@@ -143,12 +143,12 @@ private:
     }
   }
 
-  // The next front of which the centers are not one point.
+  // The next element of which the centers are not one point.
   std::size_t next_curve(std::size_t f) const
   {
-    std::size_t result = m_graph.fronts()[f].next;
+    std::size_t result = m_graph.elements()[f].next;
     while (m_ranges[result].is_point)
-      result = m_graph.fronts()[result].next;
+      result = m_graph.elements()[result].next;
     return result;
   }
 
@@ -157,17 +157,17 @@ private:
     const std::size_t first = m_first_piece_of[f], last = m_first_piece_of[f + 1];
     if (first == last)
       return none;
-    const std::size_t i = m_graph.fronts()[f].is_reversed ? last - 1 : first;
+    const std::size_t i = m_graph.elements()[f].is_reversed ? last - 1 : first;
     return end(m_pieces[i], false).kind == kind ? i : none;
   }
 
   // Where disks shrink to a vertex, the chain goes on along the other side of the arc; or, where disks there touch a next arc instead, along the other side of that.
   std::size_t piece_around_point(std::size_t f) const
   {
-    const Front& last = m_graph.fronts()[f];
+    const Oriented_element& last = m_graph.elements()[f];
     Arc_end end{last.object, !last.is_reversed};
     for (std::size_t k = 0; k < m_graph.vertices()[m_graph.vertex_of(end)].ends.size(); ++k) {
-      const Front other{false, end.arc, end.is_end};   // departs from the vertex
+      const Oriented_element other{false, end.arc, end.is_end};   // departs from the vertex
       const std::size_t index = 2 * end.arc + end.is_end;
       if (const std::size_t piece = first_piece(index, Free_end::Kind::POINT); piece != none || !m_ranges[index].undecided.empty())
         return piece;
@@ -176,12 +176,12 @@ private:
     return none;
   }
 
-  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal. On the other side, the disk may be known as one of a second contact only.
-  std::size_t piece_with_disk(const Exact_disk& disk, bool is_contact_allowed) const
+  // The piece that begins where another one ends with an exact disk: with the same disk; of two pieces, as where points are opposite to each other, with the other normal. On the other side, the disk may be known as one of a second footpoint only.
+  std::size_t piece_with_disk(const Exact_disk& disk, bool is_footpoint_allowed) const
   {
     const auto has_disk = [&](const Piece& piece, bool is_end) {
       const Free_end& e = end(piece, is_end);
-      return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center : is_contact_allowed && e.kind == Free_end::Kind::CONTACT && touches_elsewhere(disk, piece.front, e.location);
+      return e.kind == Free_end::Kind::TIE ? e.disk->center == disk.center : is_footpoint_allowed && e.kind == Free_end::Kind::CONTACT && touches_elsewhere(disk, piece.element, e.location);
     };
     std::vector<std::size_t> first, opposite;
     std::size_t last = 0;
@@ -196,41 +196,41 @@ private:
     return first.size() == 1 && last == 1 ? first[0] : opposite.size() == 1 ? opposite[0] : none;
   }
 
-  // The piece that begins with an exact disk that is the one where another one ends in a second contact.
-  std::size_t piece_with_disk_of_contact(const Piece& piece) const
+  // The piece that begins with an exact disk that is the one where another one ends in a second footpoint.
+  std::size_t piece_with_disk_of_footpoint(const Piece& piece) const
   {
     for (const Piece& other : m_pieces)
-      if (const auto& disk = end(other, false).disk; disk && touches_elsewhere(*disk, piece.front, end(piece, true).location))
+      if (const auto& disk = end(other, false).disk; disk && touches_elsewhere(*disk, piece.element, end(piece, true).location))
         return piece_with_disk(*disk, true);
     return none;
   }
 
-  // Whether a disk that touches one front touches a range of another one in another point, where the parameter is the simplest number.
-  bool touches_elsewhere(const Exact_disk& disk, std::size_t front, const Range& range) const
+  // Whether a disk that touches one element touches a range of another one in another point, where the parameter is the simplest number.
+  bool touches_elsewhere(const Exact_disk& disk, std::size_t element, const Range& range) const
   {
-    const Front& f = m_graph.fronts()[front];
-    const auto jet = m_graph.front_jet(f, range);
+    const Oriented_element& f = m_graph.elements()[element];
+    const auto jet = m_graph.element_jet(f, range);
     const Interval_pair center{interval_of(disk.center[0]), interval_of(disk.center[1])};
-    if (!Touching_disk::is_defined(m_graph, front) || certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
+    if (!Touching_disk::is_defined(m_graph, element) || certain_sign(dot(turned_left(jet.normal), center - jet.point)) != 0)
       return false;
     const Exact_rational u = simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end));
     const Exact_pair way = exact_difference(disk.center, m_graph.exact_point_at(f, u)), normal = m_graph.exact_normal(f, u);
     return way != disk.way && exact_dot(way, way) == exact_dot(disk.way, disk.way) && exact_cross(normal, way) == 0 && exact_dot(normal, way) > 0;
   }
 
-  // The piece that begins where another one ends in a second contact.
+  // The piece that begins where another one ends in a second footpoint.
   std::size_t piece_across(const Piece& piece, const Interval_pair& center) const
   {
-    const Free_end& contact = end(piece, true);
-    const auto touched = touched_front(m_graph, contact.contact, contact.contact_location, center);
-    if (!touched || std::any_of(m_ranges[touched->front].undecided.begin(), m_ranges[touched->front].undecided.end(), [&](const Range& range) { return range.meets(touched->range); }))
+    const Free_end& footpoint = end(piece, true);
+    const auto touched = touched_element(m_graph, footpoint.footpoint, footpoint.footpoint_location, center);
+    if (!touched || std::any_of(m_ranges[touched->element].undecided.begin(), m_ranges[touched->element].undecided.end(), [&](const Range& range) { return range.meets(touched->range); }))
       return none;
     std::vector<std::pair<std::size_t, bool>> ends;   // there
-    for (std::size_t i = m_first_piece_of[touched->front]; i < m_first_piece_of[touched->front + 1]; ++i)
+    for (std::size_t i = m_first_piece_of[touched->element]; i < m_first_piece_of[touched->element + 1]; ++i)
       for (const bool is_end : {false, true})
         if (const Free_end& e = end(m_pieces[i], is_end); e.kind == Free_end::Kind::CONTACT && e.location.meets(touched->range))
           ends.emplace_back(i, is_end);
-    const bool is_certain = ends.size() == 1 && !ends[0].second && is_contact_with(end(m_pieces[ends[0].first], false).contact, front(piece));
+    const bool is_certain = ends.size() == 1 && !ends[0].second && is_footpoint_with(end(m_pieces[ends[0].first], false).footpoint, element(piece));
     return is_certain ? ends[0].first : none;
   }
 };

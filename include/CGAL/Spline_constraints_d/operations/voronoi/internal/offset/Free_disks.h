@@ -9,9 +9,9 @@
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Disk_candidates.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Fine_level.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Corner_pocket.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_contacts.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Disk_footpoints.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Covering_sites.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Front_offset.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Element_offset.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Opposite_sites.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Rolling_disks.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Swept_ranges.h>
@@ -34,9 +34,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Where a disk of a given radius r that touches a front has no curve inside.
+Where a disk of a given radius r that touches an element has no curve inside.
 
-With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the front, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one contact is
+With the normal N(u) its curvature is T(u) = |N(u)| / r in units of the normal, and the disk is free where the largest disk has a curvature K(u) <= T(u). Along the element, in ranges where K < T or K > T is certain by bounds of K from all curves that can reach T, nothing else needs to be known. Between these, where one footpoint is
 left and K - T is monotone, its signs at both ends tell whether it has its only zero there. What is close to other curves everywhere is decided by expansions of second order, and what touches them by exact computation (see Disk_reach, Touching_disk, Rolling_disks, Opposite_sites, Covering_sites).
 
 What doubles cannot decide is swept once more with numbers of higher precision, and so are zeros that doubles cannot tell well, as where offsets cross at a tiny angle. What these cannot decide is left undecided.
@@ -45,12 +45,12 @@ template <Enclosing_number Interval>
 class Basic_free_disks
 {
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_curvature = Basic_disk_curvature<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Disk_candidates = Basic_disk_candidates<Interval>;
-  using Disk_contacts = Basic_disk_contacts<Interval>;
+  using Disk_footpoints = Basic_disk_footpoints<Interval>;
   using Corner_pocket = Basic_corner_pocket<Interval>;
   using Disk_reach = Basic_disk_reach<Interval>;
   using Touching_disk = Basic_touching_disk<Interval>;
@@ -70,7 +70,7 @@ class Basic_free_disks
   const Cusps_2& m_cusps;
   Disk_candidates m_candidates;
   const Fine_level* m_fine_level;   // none on that level
-  Disk_slopes* m_slopes = nullptr;             // of the front
+  Disk_slopes* m_slopes = nullptr;             // of the element
   Opposite_sites* m_opposite_sites = nullptr;
   Rolling_disks* m_rolling_disks = nullptr;    // none on the fine level
   Exact_rational m_exact_radius;
@@ -87,11 +87,11 @@ public:
     : m_graph(graph), m_tree(tree), m_curvature(graph), m_cusps(cusps), m_candidates(graph, tree, m_curvature, &cusps), m_fine_level(fine_level), m_exact_radius(radius), m_radius(interval_of<Interval>(radius))
   {}
 
-  Free_ranges operator()(std::size_t front) requires(is_in_doubles)
+  Free_ranges operator()(std::size_t element) requires(is_in_doubles)
   {
-    Disk_slopes slopes(m_graph, front);
-    Opposite_sites opposite_sites(m_graph, front, m_exact_radius);
-    Rolling_disks rolling_disks(m_graph, front, m_exact_radius);
+    Disk_slopes slopes(m_graph, element);
+    Opposite_sites opposite_sites(m_graph, element, m_exact_radius);
+    Rolling_disks rolling_disks(m_graph, element, m_exact_radius);
     m_slopes = &slopes;
     m_opposite_sites = &opposite_sites;
     m_rolling_disks = &rolling_disks;
@@ -100,63 +100,63 @@ public:
     m_most_nodes = most_nodes;
     m_fine_nodes = 0;
     m_fine_width = 0;
-    const int sign = sign_in_own_circle(front);
+    const int sign = sign_in_own_circle(element);
     if (sign < 0 && !opposite_sites.are_circles())
-      sweep_between_cusps(front);
+      sweep_between_cusps(element);
     Free_ranges result = m_swept.take();
     result.is_point = sign == 0;   // for any greater radius, all disks are covered
     opposite_sites.cut(result);
     return result;
   }
 
-  // Goes on with a part of a front, if all of it can be decided, and is divided no more often than some number.
-  std::optional<Swept_ranges> decided(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates, Swept_ranges swept, Disk_slopes& slopes, Opposite_sites& opposite_sites, int nodes)
+  // Goes on with a part of an element, if all of it can be decided, and is divided no more often than some number.
+  std::optional<Swept_ranges> decided(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates, Swept_ranges swept, Disk_slopes& slopes, Opposite_sites& opposite_sites, int nodes)
   {
     const std::size_t undecided = swept.ranges().undecided.size();
     m_slopes = &slopes;
     m_opposite_sites = &opposite_sites;
     m_swept = std::move(swept);
     m_most_nodes = nodes;
-    sweep(front, range, std::move(candidates));
+    sweep(element, range, std::move(candidates));
     return m_swept.ranges().undecided.size() == undecided ? std::optional(std::move(m_swept)) : std::nullopt;
   }
 
 private:
-  void sweep_between_cusps(std::size_t front)
+  void sweep_between_cusps(std::size_t element)
   {
-    const std::array<Range, 2> cusps{range_in_cusp(front, false), range_in_cusp(front, true)};
-    append_cusp(front, false, cusps[0]);
+    const std::array<Range, 2> cusps{range_in_cusp(element, false), range_in_cusp(element, true)};
+    append_cusp(element, false, cusps[0]);
     if (cusps[0].end < cusps[1].begin)
-      sweep(front, {cusps[0].end, cusps[1].begin}, m_candidates.all());
-    append_cusp(front, true, cusps[1]);
+      sweep(element, {cusps[0].end, cusps[1].begin}, m_candidates.all());
+    append_cusp(element, true, cusps[1]);
   }
 
   // Where the disks in a cusp are smaller, or nothing is known; one number where there is no cusp.
-  Range range_in_cusp(std::size_t front, bool end) const
+  Range range_in_cusp(std::size_t element, bool end) const
   {
-    const auto& cusp = m_cusps.side(front, end);
+    const auto& cusp = m_cusps.side(element, end);
     double width = cusp ? cusp->range.width() : 0;
-    const auto are_smaller = [&](const Range& range) { return cusp->contact->corner.least_curvature(end ? range.begin : range.end) > wanted_curvature(m_curvature.part(front, range)).sup(); };
-    while (width > least_width && cusp->contact && !are_smaller(range_at(end, width)))
+    const auto are_smaller = [&](const Range& range) { return cusp->footpoint->corner.least_curvature(end ? range.begin : range.end) > wanted_curvature(m_curvature.part(element, range)).sup(); };
+    while (width > least_width && cusp->footpoint && !are_smaller(range_at(end, width)))
       width /= 2;
     return range_at(end, width);
   }
 
-  void append_cusp(std::size_t front, bool end, const Range& range)
+  void append_cusp(std::size_t element, bool end, const Range& range)
   {
-    if (const auto& cusp = m_cusps.side(front, end); cusp && !(cusp->contact && range.width() > least_width))
+    if (const auto& cusp = m_cusps.side(element, end); cusp && !(cusp->footpoint && range.width() > least_width))
       m_swept.append_undecided(range);
     else if (cusp)
       m_swept.append_covered();
   }
 
-  void sweep(std::size_t front, const Range& range, std::vector<Disk_candidate> candidates)
+  void sweep(std::size_t element, const Range& range, std::vector<Disk_candidate> candidates)
   {
     if (m_opposite_sites->touch(range)) {
       m_swept.append_tie(range);
       return;
     }
-    const Front_part part = m_curvature.part(front, range);
+    const Element_part part = m_curvature.part(element, range);
     const auto least = hold_nearest(part, candidates) ? std::nullopt : prune(part, candidates);
     if (!least) {
       m_swept.append_covered();
@@ -169,18 +169,18 @@ private:
       return;
     m_nodes += 1 + static_cast<int>(candidates.size() / many_candidates);
     const bool is_last = range.width() < least_width || m_nodes > m_most_nodes, is_fine_level_tried = is_last || range.width() <= m_fine_width || Fine_level::is_tried(range, split_ratio);
-    if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(front, range, candidates, is_last)))
+    if ((is_last && append_covered_exactly(part, candidates)) || (is_fine_level_tried && decide_on_fine_level(element, range, candidates, is_last)))
       return;
     if (is_last) {
       append_undecided(range, candidates.size());
       return;
     }
     const double middle = range.begin + split_ratio * range.width();
-    sweep(front, {range.begin, middle}, candidates);
-    sweep(front, {middle, range.end}, std::move(candidates));
+    sweep(element, {range.begin, middle}, candidates);
+    sweep(element, {middle, range.end}, std::move(candidates));
   }
 
-  // The offset is not complete then: less is done for the rest of the front, and least where very many things cannot be told apart.
+  // The offset is not complete then: less is done for the rest of the element, and least where very many things cannot be told apart.
   void append_undecided(const Range& range, std::size_t candidates)
   {
     m_most_nodes = (std::min)(m_most_nodes, m_nodes + (candidates > Disk_candidates::most_candidates ? 0 : most_undecided_nodes));
@@ -188,11 +188,11 @@ private:
   }
 
   // Removes candidates that are outside of all disks of a part. Returns a curvature below which nothing matters; nothing if all of the disks hold something.
-  std::optional<double> prune(const Front_part& part, std::vector<Disk_candidate>& candidates) const
+  std::optional<double> prune(const Element_part& part, std::vector<Disk_candidate>& candidates) const
   {
     const double u = part.range.middle();
     const Interval wanted = wanted_curvature(part);
-    const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(part.front, {u, u})), wanted_slope(part), wanted.inf()});
+    const auto least = m_candidates.prune(part, candidates, {wanted_curvature(m_curvature.part(part.element, {u, u})), wanted_slope(part), wanted.inf()});
     return least && *least <= wanted.sup() ? least : std::nullopt;
   }
 
@@ -206,11 +206,11 @@ private:
   }
 
   // Decides a part that is not divided any more, where doubles are left: whether some sites cover it all.
-  bool append_covered_exactly(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  bool append_covered_exactly(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     if constexpr (is_in_doubles) {
-      const Covering_sites sites(m_graph, part.front, m_exact_radius, candidates);
-      const bool is_covered = sites.cover(part.range) || sites.are_walls_around(Front_offset(m_graph, part.front, m_radius).point(part.range)) || is_covered_behind_end(part, sites);
+      const Covering_sites sites(m_graph, part.element, m_exact_radius, candidates);
+      const bool is_covered = sites.cover(part.range) || sites.are_walls_around(Element_offset(m_graph, part.element, m_radius).point(part.range)) || is_covered_behind_end(part, sites);
       if (is_covered)
         m_swept.append_undecided(part.range, true);
       return is_covered;
@@ -219,13 +219,13 @@ private:
   }
 
   // Sweeps a range with numbers of higher precision, with what is left to touch there; without dividing it, if it is not the last one.
-  bool decide_on_fine_level(std::size_t front, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
+  bool decide_on_fine_level(std::size_t element, const Range& range, const std::vector<Disk_candidate>& candidates, bool is_last)
   {
     if constexpr (is_in_doubles) {
       if (m_fine_level == nullptr || m_fine_nodes >= Fine_level::most_nodes || candidates.size() > Fine_level::most_candidates)
         return false;
       Basic_free_disks<Fine_interval> disks(m_fine_level->graph(), m_tree, m_cusps, m_exact_radius);
-      auto swept = disks.decided(front, range, m_fine_level->candidates(candidates), m_swept, *m_slopes, *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
+      auto swept = disks.decided(element, range, m_fine_level->candidates(candidates), m_swept, *m_slopes, *m_opposite_sites, is_last ? Fine_level::most_nodes - m_fine_nodes : 0);
       m_fine_nodes += disks.m_nodes;
       m_fine_width = swept ? 4 * range.width() : 0;
       if (swept)
@@ -235,28 +235,28 @@ private:
     return false;
   }
 
-  // Whether the disk in an end of the front touches a vertex, and those behind it hold that.
-  bool is_covered_behind_end(const Front_part& part, const Covering_sites& sites) const requires(is_in_doubles)
+  // Whether the disk in an end of the element touches a vertex, and those behind it hold that.
+  bool is_covered_behind_end(const Element_part& part, const Covering_sites& sites) const requires(is_in_doubles)
   {
     const auto holds_behind = [&](bool end, std::size_t vertex) { return certain_sign(m_curvature(part, vertex).du - wanted_slope(part)) == (end ? -1 : 1) && sites.touches_at_end(end, vertex); };
     for (const bool end : {false, true})
-      if ((end ? part.range.end == 1 : part.range.begin == 0) && (m_graph.fronts()[part.front].is_fan || m_graph.is_exact({m_graph.fronts()[part.front].object, end})))
+      if ((end ? part.range.end == 1 : part.range.begin == 0) && (m_graph.elements()[part.element].is_normal_cone || m_graph.is_exact({m_graph.elements()[part.element].object, end})))
         if (std::any_of(sites.vertices().begin(), sites.vertices().end(), [&](std::size_t v) { return holds_behind(end, v); }))
           return true;
     return false;
   }
 
   // The curvature of the disks of the radius.
-  Interval wanted_curvature(const Front_part& part) const { return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius; }
+  Interval wanted_curvature(const Element_part& part) const { return CGAL::sqrt(squared_norm(part.jet.normal)) / m_radius; }
 
-  Interval wanted_slope(const Front_part& part) const { return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius); }
+  Interval wanted_slope(const Element_part& part) const { return dot(part.jet.normal, part.jet.normal_derivative) / (CGAL::sqrt(squared_norm(part.jet.normal)) * m_radius); }
 
-  // The sign of K - T if only the circle is known that a front is on the inner side of, by its exact radius; -1 for other fronts.
-  int sign_in_own_circle(std::size_t front) const
+  // The sign of K - T if only the circle is known that an element is on the inner side of, by its exact radius; -1 for other elements.
+  int sign_in_own_circle(std::size_t element) const
   {
-    if (!m_curvature.of_own_circle(m_curvature.part(front, {0.5, 0.5})))
+    if (!m_curvature.of_own_circle(m_curvature.part(element, {0.5, 0.5})))
       return -1;
-    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - m_graph.arcs()[m_graph.fronts()[front].object].circle()->second));
+    return sign_of(Exact_rational(m_exact_radius * m_exact_radius - m_graph.arcs()[m_graph.elements()[element].object].circle()->second));
   }
 
   // Parts of arcs, and vertices.
@@ -265,8 +265,8 @@ private:
     return Touching_disk::parts_of_arcs(candidates).size() + static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), [](const Disk_candidate& c) { return c.kind != Candidate_kind::ARC; }));
   }
 
-  // Decides a range with one contact that may be reached, or none.
-  bool resolve(const Front_part& part, const std::vector<Disk_candidate>& candidates, double least)
+  // Decides a range with one footpoint that may be reached, or none.
+  bool resolve(const Element_part& part, const std::vector<Disk_candidate>& candidates, double least)
   {
     if (candidates.empty()) {
       m_swept.append_free(part.range);
@@ -274,11 +274,11 @@ private:
     }
     if (number_of_sites(candidates) > most_sites)
       return false;
-    const Disk_contacts contacts(m_graph, m_curvature, *m_slopes, part, candidates, least);
-    if (!contacts.are_known())
+    const Disk_footpoints footpoints(m_graph, m_curvature, *m_slopes, part, candidates, least);
+    if (!footpoints.are_known())
       return false;
-    std::vector<Disk_branch> branches = contacts.highest();
-    std::erase_if(branches, [](const Disk_branch& branch) { return branch.contact.kind == Disk_contact::Kind::NOTHING || branch.contact.kind == Disk_contact::Kind::CIRCLE; });   // they are lower
+    std::vector<Disk_branch> branches = footpoints.highest();
+    std::erase_if(branches, [](const Disk_branch& branch) { return branch.footpoint.kind == Disk_footpoint::Kind::NOTHING || branch.footpoint.kind == Disk_footpoint::Kind::CIRCLE; });   // they are lower
     if (branches.empty()) {
       m_swept.append_free(part.range);
       return true;
@@ -286,18 +286,18 @@ private:
     return branches.size() == 1 && !branches[0].move && is_touched_once(part, branches[0]) && append_monotone(part, branches[0]);
   }
 
-  // Whether K - T, which belongs to a contact, has one zero at most: where K' - T' has a sign, or, where disks and fronts are nearly parallel, by expansions of second order.
-  bool is_touched_once(const Front_part& part, const Located_contact& located) const
+  // Whether K - T, which belongs to a footpoint, has one zero at most: where K' - T' has a sign, or, where disks and elements are nearly parallel, by expansions of second order.
+  bool is_touched_once(const Element_part& part, const Located_footpoint& located) const
   {
     if (certain_sign(slope_of_largest_curvature(m_graph, m_curvature, part, located) - wanted_slope(part)) != 0)
       return true;
-    const Disk_reach reach(m_graph, m_graph.fronts()[part.front], m_radius, part.range);
-    const auto& [kind, index, side] = located.contact;
-    return kind == Disk_contact::Kind::VERTEX ? reach.growth_where_vertex_is_touched(index) != 0 : kind == Disk_contact::Kind::ARC && reach.growth_where_arc_is_touched(index, located.range) != 0;
+    const Disk_reach reach(m_graph, m_graph.elements()[part.element], m_radius, part.range);
+    const auto& [kind, index, side] = located.footpoint;
+    return kind == Disk_footpoint::Kind::VERTEX ? reach.growth_where_vertex_is_touched(index) != 0 : kind == Disk_footpoint::Kind::ARC && reach.growth_where_arc_is_touched(index, located.range) != 0;
   }
 
   // Decides a part with a pocket at its end, if disks that touch something else are larger. The radii in the pocket are monotone.
-  bool append_pocket(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  bool append_pocket(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     auto pocket = Corner_pocket::at_end_of(part, m_graph, m_curvature);
     std::vector<Disk_candidate> others(candidates);
@@ -306,25 +306,25 @@ private:
     const double wanted = wanted_curvature(part).inf();
     if (!std::all_of(others.begin(), others.end(), [&](const Disk_candidate& c) { return pocket->is_outside(m_candidates.points(c)) && c.bounds.value.sup() < wanted; }))
       return false;
-    const auto sign_at = [&](double u) { return u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, wanted_curvature(m_curvature.part(part.front, {u, u}))); };
-    return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->contact(zero, wanted); });
+    const auto sign_at = [&](double u) { return u == (pocket->end() ? 1 : 0) ? 1 : pocket->sign(u, wanted_curvature(m_curvature.part(part.element, {u, u}))); };
+    return append_change(part.range, sign_at, [&](const Range& zero) { return pocket->footpoint(zero, wanted); });
   }
 
   // Whether the disks of a part hold points near the one that the smallest disk touches in the middle of what has been divided: before candidates are bounded.
-  bool hold_nearest(const Front_part& part, const std::vector<Disk_candidate>& candidates) const
+  bool hold_nearest(const Element_part& part, const std::vector<Disk_candidate>& candidates) const
   {
     const auto height = [](const Disk_candidate& c) { return c.kind == Candidate_kind::ARC ? c.at_middle.inf() : -std::numeric_limits<double>::infinity(); };
     const auto nearest = std::max_element(candidates.begin(), candidates.end(), [&](const Disk_candidate& a, const Disk_candidate& b) { return height(a) < height(b); });
-    return nearest != candidates.end() && height(*nearest) > 0 && Disk_reach(m_graph, m_graph.fronts()[part.front], m_radius, part.range).hold_point_near(nearest->index, nearest->range.middle());
+    return nearest != candidates.end() && height(*nearest) > 0 && Disk_reach(m_graph, m_graph.elements()[part.element], m_radius, part.range).hold_point_near(nearest->index, nearest->range.middle());
   }
 
   // Decides a part by expansions of second order. Candidates that are not held are removed.
-  bool append_by_reach(const Front_part& part, std::vector<Disk_candidate>& candidates)
+  bool append_by_reach(const Element_part& part, std::vector<Disk_candidate>& candidates)
   {
-    const Front& front = m_graph.fronts()[part.front];
+    const Oriented_element& element = m_graph.elements()[part.element];
     if (candidates.empty())
       return false;
-    const Disk_reach reach(m_graph, front, m_radius, part.range);
+    const Disk_reach reach(m_graph, element, m_radius, part.range);
     std::erase_if(candidates, [&](const Disk_candidate& c) { return c.kind == Disk_candidate::Kind::VERTEX && reach.hold_vertex(c.index) == Held::NO; });
     for (const auto& [arc, range] : Touching_disk::parts_of_arcs(candidates))
       switch (reach.hold_arc(arc, range)) {
@@ -337,11 +337,11 @@ private:
     return candidates.empty();
   }
 
-  // Decides a part that holds a disk with an exact contact: at an end of the front, or, if the part is short, where the parameter is the simplest number.
-  bool append_touching(const Front_part& part, const std::vector<Disk_candidate>& candidates)
+  // Decides a part that holds a disk with an exact footpoint: at an end of the element, or, if the part is short, where the parameter is the simplest number.
+  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates)
   {
     const auto& [begin, end] = part.range;
-    if (part.range.width() > width_of_ties || !Touching_disk::is_defined(m_graph, part.front))
+    if (part.range.width() > width_of_ties || !Touching_disk::is_defined(m_graph, part.element))
       return false;
     if (begin == 0 || end == 1)
       return append_touching(part, candidates, Exact_rational(begin == 0 ? 0 : 1));
@@ -351,9 +351,9 @@ private:
     return std::any_of(parameters.begin(), parameters.end(), [&](const Exact_rational& parameter) { return append_touching(part, candidates, parameter); });
   }
 
-  bool append_touching(const Front_part& part, const std::vector<Disk_candidate>& candidates, const Exact_rational& parameter)
+  bool append_touching(const Element_part& part, const std::vector<Disk_candidate>& candidates, const Exact_rational& parameter)
   {
-    Touching_disk touching(m_graph, part.front, m_exact_radius, parameter);
+    Touching_disk touching(m_graph, part.element, m_exact_radius, parameter);
     const auto sides = touching.sides(part.range, candidates);
     if (!sides)
       return false;
@@ -372,23 +372,23 @@ private:
     return true;
   }
 
-  // The sign of K - T in a point, if K belongs to a contact.
-  int sign_at(std::size_t front, const Located_contact& located, double u) const
+  // The sign of K - T in a point, if K belongs to a footpoint.
+  int sign_at(std::size_t element, const Located_footpoint& located, double u) const
   {
-    const Front_part point = m_curvature.part(front, {u, u});
+    const Element_part point = m_curvature.part(element, {u, u});
     return certain_sign(largest_curvature(m_graph, m_curvature, point, located).curvature - wanted_curvature(point));
   }
 
-  bool append_monotone(const Front_part& part, const Located_contact& located)
+  bool append_monotone(const Element_part& part, const Located_footpoint& located)
   {
-    return append_change(part.range, [&](double u) { return sign_at(part.front, located, u); }, [&](const Range& zero) {
-      return Located_contact{located.contact, largest_curvature(m_graph, m_curvature, m_curvature.part(part.front, zero), located).range};
+    return append_change(part.range, [&](double u) { return sign_at(part.element, located, u); }, [&](const Range& zero) {
+      return Located_footpoint{located.footpoint, largest_curvature(m_graph, m_curvature, m_curvature.part(part.element, zero), located).range};
     });
   }
 
-  // Where the sign of K - T is known at both ends of a range and has one change there at most: the disk there has the contact that contact_at(zero) tells.
-  template <class Sign_at, class Contact_at>
-  bool append_change(const Range& range, const Sign_at& sign_at, const Contact_at& contact_at)
+  // Where the sign of K - T is known at both ends of a range and has one change there at most: the disk there has the footpoint that footpoint_at(zero) tells.
+  template <class Sign_at, class Footpoint_at>
+  bool append_change(const Range& range, const Sign_at& sign_at, const Footpoint_at& footpoint_at)
   {
     const auto& [begin, end] = range;
     const int at_begin = sign_at(begin), at_end = sign_at(end);
@@ -404,10 +404,10 @@ private:
     const Range zero = range_of_zero(range, sign_at, at_begin);
     if (m_fine_level != nullptr && zero.width() > least_width)   // it can be told more precisely
       return false;
-    const Located_contact located = contact_at(zero);
+    const Located_footpoint located = footpoint_at(zero);
     if (at_begin < 0)
       m_swept.append_free({begin, zero.begin});
-    m_swept.append_boundary({Free_end::Kind::CONTACT, zero, located.contact, located.range});
+    m_swept.append_boundary({Free_end::Kind::CONTACT, zero, located.footpoint, located.range});
     if (at_end < 0)
       m_swept.append_free({zero.end, end});
     else

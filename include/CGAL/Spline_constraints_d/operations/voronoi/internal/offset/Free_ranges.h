@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_FREE_RANGES_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 
 #include <array>
 #include <optional>
@@ -16,32 +16,32 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// A disk that touches a front in a point that is known exactly: its center, and the way there from that point.
+// A disk that touches an element in a point that is known exactly: its center, and the way there from that point.
 struct Exact_disk
 {
   Exact_pair center, way;
 };
 
-// Where a range of a front ends in which disks are free: where the front ends; where it ends and disks shrink to the vertex there; where the disk has a second contact; where it has one that is known exactly, as is the center of the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
+// Where a range of an element ends in which disks are free: where the element ends; where it ends and disks shrink to the vertex there; where the disk has a second footpoint; where it has one that is known exactly, as is the center of the disk (see Opposite_sites, Touching_disk); or somewhere in a range that is not decided.
 struct Free_end
 {
   enum class Kind { FRONT_END, POINT, CONTACT, TIE, UNDECIDED };
 
   Kind kind = Kind::FRONT_END;
   Range location{};             // holds the parameter
-  Disk_contact contact{};       // the second one
-  Range contact_location{};     // on an arc
-  std::optional<Exact_disk> disk = std::nullopt;   // with an exact second contact
+  Disk_footpoint footpoint{};       // the second one
+  Range footpoint_location{};     // on an arc
+  std::optional<Exact_disk> disk = std::nullopt;   // with an exact second footpoint
 };
 
 using Free_range = std::array<Free_end, 2>;   // begin, end
 
-// The ranges of a front in which disks are free, in order, and those that are not decided.
+// The ranges of an element in which disks are free, in order, and those that are not decided.
 struct Free_ranges
 {
   std::vector<Free_range> free;
   std::vector<Range> undecided;
-  bool is_point = false;   // the front is an arc of a circle, and all disks are the one in that
+  bool is_point = false;   // the element is an arc of a circle, and all disks are the one in that
 };
 
 } // namespace Voronoi

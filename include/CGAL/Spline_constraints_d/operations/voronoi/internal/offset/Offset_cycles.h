@@ -10,9 +10,9 @@
 #include <CGAL/Spline_constraints_d/operations/regions/internal/parts_of_boundaries.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/candidates/Cusp_finder_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Element_offset.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_chains.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Free_disks.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/offset/Front_offset.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/check_magnitude.h>
 
 #include <CGAL/Uncertain.h>
@@ -29,7 +29,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The points at one distance from all curves of a graph, as chains of offsets of fronts.
+The points at one distance from all curves of a graph, as chains of offsets of elements.
 
 A chain is an outer boundary of a set, the side that is free or the other one, or one of its holes. Let X be a point of the curves that is nearest to a point O of the chain. The segment between does not meet any chain elsewhere, and X is at least the radius away from all of them. So all questions are answered by the numbers of times chains
 go around such X.
@@ -52,7 +52,7 @@ private:
   Interval m_radius;
   Free_chains m_free;
   std::vector<Chain> m_chains;
-  std::vector<Front_range> m_not_nested;   // points of curves that are nearest to chains that are not
+  std::vector<Element_range> m_not_nested;   // points of curves that are nearest to chains that are not
 
 public:
   Offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Interval& radius, std::vector<Free_ranges> ranges, bool is_set_free)
@@ -67,13 +67,13 @@ public:
   const Site_graph_2& graph() const { return *m_graph; }
   const std::vector<Piece>& pieces() const { return m_free.pieces(); }
   const std::vector<Chain>& chains() const { return m_chains; }
-  const Front& front(const Piece& piece) const { return m_free.front(piece); }
-  Front_offset offset(const Piece& piece) const { return {*m_graph, piece.front, m_radius}; }
+  const Oriented_element& element(const Piece& piece) const { return m_free.element(piece); }
+  Element_offset offset(const Piece& piece) const { return {*m_graph, piece.element, m_radius}; }
 
-  // Where fronts are not decided, or chains not closed or nested.
+  // Where elements are not decided, or chains not closed or nested.
   std::vector<Undecided_part_2> undecided() const
   {
-    std::vector<Front_range> ranges = m_free.undecided();
+    std::vector<Element_range> ranges = m_free.undecided();
     ranges.insert(ranges.end(), m_not_nested.begin(), m_not_nested.end());
     return undecided_parts(*m_graph, std::move(ranges));
   }
@@ -85,23 +85,23 @@ private:
   Free_chains free_chains(std::vector<Free_ranges> ranges) const
   {
     const Upward_rounding_guard guard;
-    return {*m_graph, std::move(ranges), [&](std::size_t front, const Free_end& end) { return Front_offset(*m_graph, front, m_radius).point(end.location); }};
+    return {*m_graph, std::move(ranges), [&](std::size_t element, const Free_end& end) { return Element_offset(*m_graph, element, m_radius).point(end.location); }};
   }
 
   // A point of the curves that is nearest to a point of a chain.
-  Front_range foot(const Chain& chain) const
+  Element_range foot(const Chain& chain) const
   {
     const Piece& piece = pieces()[chain.pieces.front()];
     const auto [from, to] = parameters(piece);
     const double u = from / 2 + to / 2;
-    return {piece.front, {u, u}};
+    return {piece.element, {u, u}};
   }
 
   // Whether a closed chain goes around the foot of a chain, if that is certain. It goes on from one piece to the next one in a point that is within the ranges of both ends.
   CGAL::Uncertain<bool> is_around(const Chain& chain, const Chain& other) const
   {
-    const Front_range place = foot(other);
-    const Interval_pair p = m_graph->front_jet(m_graph->fronts()[place.front], place.range).point;
+    const Element_range place = foot(other);
+    const Interval_pair p = m_graph->element_jet(m_graph->elements()[place.element], place.range).point;
     double turn = 0;
     for (std::size_t k = 0; k < chain.pieces.size(); ++k) {
       const Piece &piece = pieces()[chain.pieces[k]], &next = pieces()[chain.pieces[(k + 1) % chain.pieces.size()]];
@@ -135,18 +135,18 @@ private:
   }
 };
 
-// The offset on some of the fronts of a graph: of the set that is free, or of the other one. With a tag for parallel work, fronts are handed to all cores.
+// The offset on some of the elements of a graph: of the set that is free, or of the other one. With a tag for parallel work, elements are handed to all cores.
 template <class Concurrency_tag>
-Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& fronts, bool is_set_free)
+Offset_cycles offset_cycles(std::shared_ptr<const Site_graph_2> graph, const Exact_rational& radius, const std::vector<std::size_t>& elements, bool is_set_free)
 {
   check_magnitude(*graph, "trimmed_offset");
   const Site_tree_2 tree(*graph);
   const Cusps_2 cusps = Cusp_finder_2(*graph, tree)();
   const Fine_level fine_level(*graph);
-  std::vector<Free_ranges> ranges(graph->fronts().size());
-  parallel_for<Concurrency_tag>(fronts.size(), [&](std::size_t i, std::size_t) {
+  std::vector<Free_ranges> ranges(graph->elements().size());
+  parallel_for<Concurrency_tag>(elements.size(), [&](std::size_t i, std::size_t) {
     const Upward_rounding_guard guard;
-    ranges[fronts[i]] = Free_disks(*graph, tree, cusps, radius, &fine_level)(fronts[i]);
+    ranges[elements[i]] = Free_disks(*graph, tree, cusps, radius, &fine_level)(elements[i]);
   });
   return Offset_cycles(std::move(graph), interval_of(radius), std::move(ranges), is_set_free);
 }

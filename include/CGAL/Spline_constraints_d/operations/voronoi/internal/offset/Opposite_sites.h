@@ -23,10 +23,10 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Sites that disks of one radius r on a front may touch, but only opposite to the front, and never hold: parallel walls at the distance 2 r, and what is behind them. Bounds cannot tell such disks from larger and smaller ones, but the coordinates are rational, and all is decided by exact computation.
+Sites that disks of one radius r on an element may touch, but only opposite to the element, and never hold: parallel walls at the distance 2 r, and what is behind them. Bounds cannot tell such disks from larger and smaller ones, but the coordinates are rational, and all is decided by exact computation.
 
-A front that lies behind the tangent in one of its ends, X, has all its disks in the half-plane up to the parallel at the distance 2 r, as <N, O - X> <= r |N|; they reach that line only where the front is on the tangent and has its normal. All disks of a fan are in the disk of the radius 2 r around its vertex.
-A site beyond the border, with all Bernstein coefficients of its distance, is touched at most where that is zero: in one of its ends, or all of it; or, of a segment beside a fan, in one point. Nor do disks of a segment reach what is outside of the last one, and behind its center.
+An element that lies behind the tangent in one of its ends, X, has all its disks in the half-plane up to the parallel at the distance 2 r, as <N, O - X> <= r |N|; they reach that line only where the element is on the tangent and has its normal. All disks of a normal cone are in the disk of the radius 2 r around its vertex.
+A site beyond the border, with all Bernstein coefficients of its distance, is touched at most where that is zero: in one of its ends, or all of it; or, of a segment beside a normal cone, in one point. Nor do disks of a segment reach what is outside of the last one, and behind its center.
 Where an arc ends in a crossing that is not known exactly, an arc that is a little longer takes its place; what would touch in such an end is not decided.
 
 Disks there count as covered: the offset is the limit of those at greater distances. On both sides of a range of parallel walls, offsets are the same and bound nothing; where they touch in one point, each ends in it.
@@ -47,16 +47,16 @@ class Opposite_sites
   static constexpr std::array<bool, 2> both_ends{false, true};
 
   const Site_graph_2& m_graph;
-  const Front& m_front;
+  const Oriented_element& m_element;
   Exact_rational m_square;   // of 2 r
   std::vector<bool> m_ends;  // of an arc, behind the tangents in which it lies
   std::map<std::pair<Disk_candidate::Kind, std::size_t>, bool> m_is_beyond;
   std::vector<Tie> m_ties;
 
 public:
-  Opposite_sites(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius) : m_graph(graph), m_front(graph.fronts()[front]), m_square(4 * radius * radius)
+  Opposite_sites(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius) : m_graph(graph), m_element(graph.elements()[element]), m_square(4 * radius * radius)
   {
-    if (!m_front.is_fan)
+    if (!m_element.is_normal_cone)
       for (const bool end : {false, true})
         if (is_behind_tangent(end) && !(end && is_segment()))
           m_ends.push_back(end);
@@ -72,13 +72,13 @@ public:
     return position->second;
   }
 
-  // Whether the front is an arc of a circle, and all of it is opposite to one of a circle with the same center.
+  // Whether the element is an arc of a circle, and all of it is opposite to one of a circle with the same center.
   bool are_circles() const
   {
-    if (m_front.is_fan || !own_arc().circle() || !m_graph.are_ends_exact(m_front.object))
+    if (m_element.is_normal_cone || !own_arc().circle() || !m_graph.are_ends_exact(m_element.object))
       return false;
     const auto& [center, square] = *own_arc().circle();
-    const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_front, 0), exact_difference(own_arc().at(0), center))) < 0;
+    const bool is_inside = sign_of(exact_dot(m_graph.exact_normal(m_element, 0), exact_difference(own_arc().at(0), center))) < 0;
     const auto are_on_one_ray = [&](const Exact_pair& x, const Exact_pair& y) { return sign_of(exact_cross(exact_difference(x, center), exact_difference(y, center))) == 0 && sign_of(exact_dot(exact_difference(x, center), exact_difference(y, center))) > 0; };
     const auto is_opposite = [&](std::size_t index) {
       const Site_arc_2& arc = m_graph.arcs()[index];
@@ -116,9 +116,9 @@ public:
   }
 
 private:
-  const Site_arc_2& own_arc() const { return m_graph.arcs()[m_front.object]; }
-  bool is_segment() const { return !m_front.is_fan && own_arc().is_segment(); }
-  bool is_own_end_exact(bool end) const { return m_graph.is_exact({m_front.object, end}); }
+  const Site_arc_2& own_arc() const { return m_graph.arcs()[m_element.object]; }
+  bool is_segment() const { return !m_element.is_normal_cone && own_arc().is_segment(); }
+  bool is_own_end_exact(bool end) const { return m_graph.is_exact({m_element.object, end}); }
   Exact_pair own_end(bool end) const { return own_arc().at(Exact_rational(end ? 1 : 0)); }   // of the piece
 
   // How much farther than to an end of its piece an arc may go.
@@ -150,10 +150,10 @@ private:
   {
     if (is_segment() || !is_own_end_exact(end))
       return is_segment();
-    const auto c = coefficients(m_front.object);
+    const auto c = coefficients(m_element.object);
     if (!c)
       return false;
-    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0));
     std::vector<int> sides;
     for (std::size_t i = 0; i < (*c)[2].size(); ++i)
       sides.push_back(sign_of(exact_dot(n, Exact_pair{Exact_rational((*c)[0][i] - p[0] * (*c)[2][i]), Exact_rational((*c)[1][i] - p[1] * (*c)[2][i])})));
@@ -178,7 +178,7 @@ private:
   // On which side of the parallel at the distance 2 r of the tangent in an end a homogeneous point is.
   int side_of_parallel(bool end, const Exact_rational& x, const Exact_rational& y, const Exact_rational& w) const
   {
-    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0));
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0));
     const Exact_rational height = exact_dot(n, Exact_pair{Exact_rational(x - p[0] * w), Exact_rational(y - p[1] * w)});
     return sign_of(height) <= 0 ? -1 : sign_of(Exact_rational(height * height - m_square * exact_dot(n, n) * w * w));
   }
@@ -204,8 +204,8 @@ private:
 
   bool add_arc(std::size_t arc)
   {
-    if (m_front.is_fan)
-      return add_arc_beside_fan(arc);
+    if (m_element.is_normal_cone)
+      return add_arc_beside_normal_cone(arc);
     const auto c = coefficients(arc);
     const auto is_beyond = [&](bool end) {
       const std::vector<int> sides = sides_of_parallel(end, *c);
@@ -216,10 +216,10 @@ private:
     return c && (std::any_of(m_ends.begin(), m_ends.end(), is_beyond) || (is_segment() && is_behind_last_disk(arc, *c)));
   }
 
-  // Whether an arc is outside of the disk at an end of a straight front, and behind its center: then it is outside of all other ones.
+  // Whether an arc is outside of the disk at an end of a straight element, and behind its center: then it is outside of all other ones.
   bool is_behind_last_disk(std::size_t arc, const Coefficients& c)
   {
-    const Exact_pair n = m_graph.exact_normal(m_front, 0);
+    const Exact_pair n = m_graph.exact_normal(m_element, 0);
     const auto ratio = rational_square_root(Exact_rational(m_square / (4 * exact_dot(n, n))));
     return ratio && std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) {
       if (!is_own_end_exact(end))
@@ -235,10 +235,10 @@ private:
     });
   }
 
-  bool add_arc_beside_fan(std::size_t index)
+  bool add_arc_beside_normal_cone(std::size_t index)
   {
     const Site_arc_2& arc = m_graph.arcs()[index];
-    const Exact_pair& p = m_graph.vertices()[m_front.object].exact_point;
+    const Exact_pair& p = m_graph.vertices()[m_element.object].exact_point;
     const std::vector<int> sides = sides_of_circle(index, p, m_square);
     if (!arc.is_straight())
       return !is_on_border(sides) && add_ties(touching_ends(index, sides));
@@ -267,8 +267,8 @@ private:
       return false;
     const Exact_pair& q = m_graph.vertices()[vertex].exact_point;
     const auto points = [&](int side) { return side < 0 ? std::nullopt : std::optional(side == 0 ? Points{q} : Points()); };
-    if (m_front.is_fan) {
-      const Exact_pair d = exact_difference(q, m_graph.vertices()[m_front.object].exact_point);
+    if (m_element.is_normal_cone) {
+      const Exact_pair d = exact_difference(q, m_graph.vertices()[m_element.object].exact_point);
       return add_ties(points(sign_of(Exact_rational(exact_dot(d, d) - m_square))));
     }
     return std::any_of(m_ends.begin(), m_ends.end(), [&](bool end) { return add_ties(points(side_of_parallel(end, q[0], q[1], 1)), end); });
@@ -277,16 +277,16 @@ private:
   // Disks are touched in some points. Returns whether they are known.
   bool add_ties(const std::optional<Points>& points, bool end = false)
   {
-    return points && std::all_of(points->begin(), points->end(), [&](const Exact_pair& y) { return m_front.is_fan ? add_tie_of_fan(y) : add_tie(y, y, end); });
+    return points && std::all_of(points->begin(), points->end(), [&](const Exact_pair& y) { return m_element.is_normal_cone ? add_tie_of_normal_cone(y) : add_tie(y, y, end); });
   }
 
   // The same for all points between two of them, on a parallel.
   bool add_tie(const Exact_pair& y, const Exact_pair& z, bool end) { return is_segment() ? add_tie_of_segment(y, z) : add_tie_at_end(y, z, end); }
 
-  bool add_tie_of_fan(const Exact_pair& y)
+  bool add_tie_of_normal_cone(const Exact_pair& y)
   {
-    const Exact_pair d = exact_difference(y, m_graph.vertices()[m_front.object].exact_point);
-    const auto& [from, to] = m_front.exact_normals;
+    const Exact_pair d = exact_difference(y, m_graph.vertices()[m_element.object].exact_point);
+    const auto& [from, to] = m_element.exact_normals;
     const Exact_rational a = exact_cross(d, from), b = exact_cross(to, d);   // clockwise from the first to the second one
     if (sign_of(a) < 0 || sign_of(b) < 0 || sign_of(Exact_rational(a + b)) == 0 || (sign_of(exact_dot(d, from)) <= 0 && sign_of(exact_dot(d, to)) <= 0))
       return true;
@@ -300,7 +300,7 @@ private:
   bool add_tie_of_segment(const Exact_pair& y, const Exact_pair& z)
   {
     const auto [first, last] = std::minmax({own_arc().parameter_of_foot(y), own_arc().parameter_of_foot(z)});
-    if (!is_certain(m_front.object, first, last))
+    if (!is_certain(m_element.object, first, last))
       return false;
     m_ties.push_back({first, last, half(exact_difference(y, own_arc().at(own_arc().parameter_of_foot(y))))});
     return true;
@@ -308,7 +308,7 @@ private:
 
   bool add_tie_at_end(const Exact_pair& y, const Exact_pair& z, bool end)
   {
-    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_front, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
+    const Exact_pair p = own_end(end), n = m_graph.exact_normal(m_element, Exact_rational(end ? 1 : 0)), to_y = exact_difference(y, p);
     if (sign_of(exact_cross(n, to_y)) * sign_of(exact_cross(n, exact_difference(z, p))) > 0)
       return true;
     const Exact_rational share = exact_dot(n, to_y) / (2 * exact_dot(n, n));
@@ -336,7 +336,7 @@ private:
 
   Exact_disk disk_at(const Exact_rational& u, const Exact_pair& way) const
   {
-    const Exact_pair p = m_graph.exact_point_at(m_front, u);
+    const Exact_pair p = m_graph.exact_point_at(m_element, u);
     return {{Exact_rational(p[0] + way[0]), Exact_rational(p[1] + way[1])}, way};
   }
 
@@ -346,18 +346,18 @@ private:
     return {Free_end::Kind::TIE, {(std::max)(x.inf(), 0.0), (std::min)(x.sup(), 1.0)}, {}, {}, disk_at(u, way)};
   }
 
-  // Whether a disk touches a vertex, an end of an arc, or a segment. Then the contact begins there, as it does so once only where it may.
-  bool touches(const Exact_disk& disk, const Disk_contact& contact) const
+  // Whether a disk touches a vertex, an end of an arc, or a segment. Then the footpoint begins there, as it does so once only where it may.
+  bool touches(const Exact_disk& disk, const Disk_footpoint& footpoint) const
   {
     const auto is_on_circle = [&](const Exact_pair& y) {
       const Exact_pair d = exact_difference(y, disk.center);
       return exact_dot(d, d) == exact_dot(disk.way, disk.way);
     };
     const auto is_touched = [&](std::size_t vertex) { return m_graph.vertices()[vertex].is_exact && is_on_circle(m_graph.vertices()[vertex].exact_point); };
-    if (contact.kind != Disk_contact::Kind::ARC)
-      return contact.kind == Disk_contact::Kind::VERTEX && is_touched(contact.index);
-    const Site_arc_2& arc = m_graph.arcs()[contact.index];
-    if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({contact.index, end})); }))
+    if (footpoint.kind != Disk_footpoint::Kind::ARC)
+      return footpoint.kind == Disk_footpoint::Kind::VERTEX && is_touched(footpoint.index);
+    const Site_arc_2& arc = m_graph.arcs()[footpoint.index];
+    if (std::any_of(both_ends.begin(), both_ends.end(), [&](bool end) { return is_touched(m_graph.vertex_of({footpoint.index, end})); }))
       return true;
     const Exact_rational foot = arc.is_segment() ? arc.parameter_of_foot(disk.center) : Exact_rational(-1);
     return foot >= 0 && foot <= 1 && is_on_circle(arc.at(foot));
@@ -373,7 +373,7 @@ private:
     }
     for (const Free_end& end : range)
       for (const Exact_rational& u : {tie.begin, tie.end})
-        if (end.kind != Free_end::Kind::TIE && !end.location.is_number() && u >= end.location.begin && u <= end.location.end && !touches(disk_at(u, tie.way), end.contact))
+        if (end.kind != Free_end::Kind::TIE && !end.location.is_number() && u >= end.location.begin && u <= end.location.end && !touches(disk_at(u, tie.way), end.footpoint))
           undecided.push_back(end.location);
     if (tie.begin > first.end)
       parts.push_back({range[0], end_at(tie.begin, tie.way)});

@@ -20,9 +20,9 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The disks of a given radius r that touch a front near points where the curvature is exactly 1/r, and not greater next to them: no bounds tell that these disks are free.
+The disks of a given radius r that touch an element near points where the curvature is exactly 1/r, and not greater next to them: no bounds tell that these disks are free.
 
-Let a curve have a curvature of at most 1/r towards a disk that touches it, and a tangent that turns by less than 90 degrees from that in the point of contact. It is the graph of a function over that tangent, and in the distance x from the point, the sine of the angle of the curve is the integral of the curvature, at most x/r, as it is for the circle. So the curve
+Let a curve have a curvature of at most 1/r towards a disk that touches it, and a tangent that turns by less than 90 degrees from that in the point of footpoint. It is the graph of a function over that tangent, and in the distance x from the point, the sine of the angle of the curve is the integral of the curvature, at most x/r, as it is for the circle. So the curve
 is not inside of the disk: this rolls along it.
 
 With Q = X' x X'' and S = |X'|^2 the curvature is k = Q / S^(3/2), and k' has the sign of G = (X' x X''') S - 3 Q <X',X''>. That k is 1/r in a point is decided exactly, as is whether G is zero there; then bounds of G, or of G', tell that k is less next to it.
@@ -40,28 +40,28 @@ class Rolling_disks
   };
 
   const Site_graph_2& m_graph;
-  const Front& m_front;
+  const Oriented_element& m_element;
   Exact_rational m_squared_radius;
   Interval m_radius;
-  std::vector<Place> m_places;   // of the front, with the curvature of the disks
+  std::vector<Place> m_places;   // of the element, with the curvature of the disks
 
 public:
-  Rolling_disks(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius)
-    : m_graph(graph), m_front(graph.fronts()[front]), m_squared_radius(radius * radius), m_radius(interval_of<Interval>(radius))
+  Rolling_disks(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius)
+    : m_graph(graph), m_element(graph.elements()[element]), m_squared_radius(radius * radius), m_radius(interval_of<Interval>(radius))
   {
     if (are_places_exact())
       for (const bool end : {false, true})
         add_place(Exact_rational(end ? 1 : 0), range_at(end ? 1 : 0, 0));
   }
 
-  // Looks for a place in a part of the front, where it has the simplest parameter.
+  // Looks for a place in a part of the element, where it has the simplest parameter.
   void look_for_place_in(const Range& range)
   {
     if (are_places_exact() && certain_sign(slope_of_curvature(arc().jet(range))[0]) == 0)
       add_place(simplest_rational_between(Exact_rational(range.begin), Exact_rational(range.end)), range);
   }
 
-  // Removes the candidates that disks of a part of the front roll along.
+  // Removes the candidates that disks of a part of the element roll along.
   void erase_below(const Range& range, std::vector<Disk_candidate>& candidates) const
   {
     for (const Place& place : m_places) {
@@ -87,14 +87,14 @@ private:
       erase(beyond, other, candidates);
   }
 
-  const Site_arc_2& arc() const { return m_graph.arcs()[m_front.object]; }
+  const Site_arc_2& arc() const { return m_graph.arcs()[m_element.object]; }
 
-  bool are_places_exact() const { return !m_front.is_fan && !arc().is_on_line_or_circle() && !arc().has_singular_end() && m_graph.are_ends_exact(m_front.object); }
+  bool are_places_exact() const { return !m_element.is_normal_cone && !arc().is_on_line_or_circle() && !arc().has_singular_end() && m_graph.are_ends_exact(m_element.object); }
 
   // If that is where it is, by bounds and exactly.
   void add_place(const Exact_rational& parameter, const Range& range)
   {
-    const Place place{m_front.object, parameter, m_front.is_reversed ? -1 : 1};
+    const Place place{m_element.object, parameter, m_element.is_reversed ? -1 : 1};
     const bool is_known = std::any_of(m_places.begin(), m_places.end(), [&](const Place& other) { return other.parameter == parameter; });
     if (!is_known && certain_sign(excess_of_curvature(place, arc().jet(range, 2))) == 0 && sign_of_excess(place) == 0)
       m_places.push_back(place);
@@ -141,11 +141,11 @@ private:
     std::erase_if(candidates, [&](const Disk_candidate& c) { return is_near(place, c) && c.range.begin >= range.begin && c.range.end <= range.end; });
   }
 
-  // Whether the disks that touch a part of the front roll along a range of its arc, or of one that goes on from that smoothly in a place. The part is in the range, or the disks are known to roll as far as that place.
+  // Whether the disks that touch a part of the element roll along a range of its arc, or of one that goes on from that smoothly in a place. The part is in the range, or the disks are known to roll as far as that place.
   bool roll(const Range& part, const Place& place, const Range& range) const
   {
     const Site_arc_2& other = m_graph.arcs()[place.arc];
-    const Interval way(place.side * (m_front.is_reversed ? -1 : 1));   // whether the other arc has the same direction
+    const Interval way(place.side * (m_element.is_reversed ? -1 : 1));   // whether the other arc has the same direction
     if (other.has_singular_end() || !(dot(arc().jet(part, 1)[1], way * other.jet(range, 1)[1]).inf() > 0))
       return false;
     const Curve_jet x = other.jet(range);

@@ -24,7 +24,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-A disk of a given radius r that touches a front in a point X(a), and a site in a point Y(b), both known exactly; and the disks on both sides of it.
+A disk of a given radius r that touches an element in a point X(a), and a site in a point Y(b), both known exactly; and the disks on both sides of it.
 
 The disk of u holds Y(v) where a function H(u,v) is negative (see Disk_reach). Here H(a,b) = 0, which is decided exactly, as is whether H_u and H_v are zero there: for points opposite to each other, and where the site is tangent to the disk. Where they are not, bounds over a box tell their signs, and where they are, bounds of the second derivatives tell the signs of H in all
 quadrants around (a,b): whether H is positive but in (a,b), so that the site is never held; or negative for some v, whatever u.
@@ -34,8 +34,8 @@ class Basic_touching_disk
 {
   using Site_arc_2 = Basic_site_arc_2<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Disk_candidate = Basic_disk_candidate<Interval>;
   using Disk_reach = Basic_disk_reach<Interval>;
   using Jet = typename Disk_reach::Jet;
@@ -50,7 +50,7 @@ class Basic_touching_disk
   };
 
   const Site_graph_2& m_graph;
-  const Front& m_front;
+  const Oriented_element& m_element;
   Interval m_radius;
   Exact_rational m_square;   // of 2 r
   Exact_rational m_parameter;
@@ -59,15 +59,15 @@ class Basic_touching_disk
   std::array<Way, 2> m_ways{Way{-1, Interval(0)}, Way{1, Interval(0)}};   // of u
 
 public:
-  // At a parameter of a front that ends exactly.
-  Basic_touching_disk(const Site_graph_2& graph, std::size_t front, const Exact_rational& radius, const Exact_rational& parameter)
-    : m_graph(graph), m_front(graph.fronts()[front]), m_radius(interval_of<Interval>(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_front, parameter)), m_normal(graph.exact_normal(m_front, parameter))
+  // At a parameter of an element that ends exactly.
+  Basic_touching_disk(const Site_graph_2& graph, std::size_t element, const Exact_rational& radius, const Exact_rational& parameter)
+    : m_graph(graph), m_element(graph.elements()[element]), m_radius(interval_of<Interval>(radius)), m_square(4 * radius * radius), m_parameter(parameter), m_point(graph.exact_point_at(m_element, parameter)), m_normal(graph.exact_normal(m_element, parameter))
   {}
 
-  static bool is_defined(const Site_graph_2& graph, std::size_t front)
+  static bool is_defined(const Site_graph_2& graph, std::size_t element)
   {
-    const Front& f = graph.fronts()[front];
-    return f.is_fan ? graph.vertices()[f.object].is_exact : graph.are_ends_exact(f.object);
+    const Oriented_element& f = graph.elements()[element];
+    return f.is_normal_cone ? graph.vertices()[f.object].is_exact : graph.are_ends_exact(f.object);
   }
 
   struct Arc_part
@@ -93,17 +93,17 @@ public:
   }
 
   // Where an exact disk of a small part may be: at the simplest number, or, on a segment, where it touches an end of an arc.
-  static std::vector<Exact_rational> simple_parameters(const Site_graph_2& graph, const Front_part& part, const Exact_rational& radius, const std::vector<Disk_candidate>& candidates)
+  static std::vector<Exact_rational> simple_parameters(const Site_graph_2& graph, const Element_part& part, const Exact_rational& radius, const std::vector<Disk_candidate>& candidates)
   {
     const Exact_rational begin(part.range.begin), end(part.range.end);
     std::vector<Exact_rational> result{simplest_rational_between(begin, end)};
-    const Front& front = graph.fronts()[part.front];
+    const Oriented_element& element = graph.elements()[part.element];
     const auto add = [&](std::size_t vertex) {
-      for (const Exact_rational& u : touching_parameters(graph.vertices()[vertex].exact_point, graph.arcs()[front.object], radius))
+      for (const Exact_rational& u : touching_parameters(graph.vertices()[vertex].exact_point, graph.arcs()[element.object], radius))
         if (begin <= u && u <= end && std::find(result.begin(), result.end(), u) == result.end())
           result.push_back(u);
     };
-    if (front.is_fan || !graph.arcs()[front.object].is_segment())
+    if (element.is_normal_cone || !graph.arcs()[element.object].is_segment())
       return result;
     for (const Disk_candidate& candidate : candidates) {
       if (candidate.kind == Disk_candidate::Kind::VERTEX)
@@ -128,10 +128,10 @@ public:
     return way ? std::vector<Exact_rational>{Exact_rational(foot - *way), Exact_rational(foot + *way)} : std::vector<Exact_rational>{foot};
   }
 
-  // What the disks of a part of the front that holds the parameter do before and behind it, if the disk touches one of some sites, and others are not held.
+  // What the disks of a part of the element that holds the parameter do before and behind it, if the disk touches one of some sites, and others are not held.
   std::optional<std::array<Held, 2>> sides(const Range& range, const std::vector<Disk_candidate>& candidates)
   {
-    const Disk_reach reach(m_graph, m_front, m_radius, range);
+    const Disk_reach reach(m_graph, m_element, m_radius, range);
     m_ways = ways_to_ends(range, m_parameter);
     std::array<Held, 2> result{Held::NO, Held::NO};
     const auto add = [&](const std::array<Held, 2>& sides) { result = {held_by_any(result[0], sides[0]), held_by_any(result[1], sides[1])}; };

@@ -26,7 +26,7 @@ namespace Voronoi {
 
 /*
 The points in which the curves of a collection cross each other or themselves, touch, end on another one, or pass through given points, as cuts of the curves. Cuts at rational parameters are exact; others are known by ranges of the parameters, which are proved to hold one crossing. Crossings too near to each other or to a break to be told apart
-are left out, and so are contacts at parameters that are not rational.
+are left out, and so are footpoints at parameters that are not rational.
 
 Where curves overlap, both are cut at the ends, and the part of the second one is marked as redundant; what crosses it crosses the first one.
 */
@@ -74,7 +74,7 @@ public:
     Curve_crossings_2 result(curves);
     const auto pairs = result.intersecting_pairs<Concurrency_tag, Kernel>();
     result.add_overlaps(pairs);
-    result.m_are_cut = result.have_contacts(pairs);
+    result.m_are_cut = result.have_footpoints(pairs);
     if (result.m_are_cut)
       result.add_crossings(pairs);
     result.close();
@@ -142,7 +142,7 @@ private:
 
   // Whether curves touch in a point that is known exactly.
   template <class Pairs>
-  bool have_contacts(const Pairs& pairs) const
+  bool have_footpoints(const Pairs& pairs) const
   {
     return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
       return std::any_of(pair.intersections.begin(), pair.intersections.end(), [&](const auto& intersection) {

@@ -40,7 +40,7 @@ public:
   // Returns whether there is a proof wherever the pieces overlap.
   bool append_to(std::vector<Curve_overlap_2>& result) const
   {
-    Summing_solver solve{Solver_options()};
+    Budgeted_solver solve{Solver_options()};
     std::vector<Curve_overlap_2> proved;
     bool are_all_proved = true;
     for (const Common_point& common : common_points<2>(Patch_pair<2>(m_first, m_second), solve))
@@ -79,7 +79,7 @@ private:
     const auto [begin, end] = own.domain(0);
     for (const Exact_rational& t : {begin, end}) {
       const Exact_pair point = own(std::array<Exact_rational, 1>{t});
-      Summing_solver solve{Solver_options()};
+      Budgeted_solver solve{Solver_options()};
       for (const Common_point& common : common_points<2>(Patch_pair<2>(Spline_patch<2>(point), other), solve)) {
         const Exact_rational s = simplest_rational_between(common.parameters[0].first, common.parameters[0].second);
         if (other(std::array<Exact_rational, 1>{s}) == point)

@@ -8,9 +8,9 @@
 #include <CGAL/Spline_constraints_d/operations/common/internal/Arc_germ.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Coincident_parts_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Front_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Site_vertex_2.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/front_cycles.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/element_cycles.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ namespace Voronoi {
 /*
 Curves as a planar graph of polynomial arcs and their ends: the arcs around each vertex are in order, so that each arc has a next one on each of its sides.
 
-Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no fans; in its place, and in those of the ends of its arcs, there are exact points next to them.
+Where curves cross, their arcs may end in points that are not known exactly. The curves pass through such a vertex, so that it has no normal cones; in its place, and in those of the ends of its arcs, there are exact points next to them.
 */
 template <Enclosing_number Interval>
 class Basic_site_graph_2
@@ -38,8 +38,8 @@ class Basic_site_graph_2
   using Interval_pair = std::array<Interval, 2>;
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_arc_2 = Basic_site_arc_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_jet = Basic_front_jet<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_jet = Basic_element_jet<Interval>;
   using Smooth_continuation = Basic_smooth_continuation<Interval>;
   using Arc_continuations = Basic_arc_continuations<Interval>;
   using Nearly_smooth_continuation = Basic_nearly_smooth_continuation<Interval>;
@@ -62,7 +62,7 @@ private:
   std::vector<std::array<Exact_pair, 2>> m_directions;   // of the ends of arcs, outgoing
   std::vector<std::array<Arc_continuations, 2>> m_continuations;
   std::vector<Vertex> m_vertices;
-  std::vector<Front> m_fronts;   // the sides of arc i are 2 i and 2 i + 1; fans behind them
+  std::vector<Oriented_element> m_elements;   // the sides of arc i are 2 i and 2 i + 1; normal cones behind them
   std::map<Exact_pair, std::size_t> m_vertex_at;
   std::vector<Coincident_parts_2> m_coincident_parts;
   bool m_is_proved = true, m_is_planar = true;
@@ -81,14 +81,14 @@ public:
   {
     for (const Exact_arc_2& arc : other.m_arcs)
       m_arcs.emplace_back(arc);
-    for (const auto& [exact_point, point, ends, fans, is_exact, rest] : other.m_vertices) {
-      Vertex& vertex = m_vertices.emplace_back(Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, fans, is_exact});
+    for (const auto& [exact_point, point, ends, normal_cones, is_exact, rest] : other.m_vertices) {
+      Vertex& vertex = m_vertices.emplace_back(Vertex{exact_point, {any_number<Interval>(), any_number<Interval>()}, ends, normal_cones, is_exact});
       vertex.enclose();
       for (const Arc_end& end : ends)
         vertex.enclose_by_end(m_arcs[end.arc], end.is_end);
     }
-    for (const auto& [is_fan, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle, component] : other.m_fronts)
-      m_fronts.push_back({is_fan, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next, cycle, component});
+    for (const auto& [is_normal_cone, object, is_reversed, exact_normals, normals, perpendicular_ends, next, cycle, component] : other.m_elements)
+      m_elements.push_back({is_normal_cone, object, is_reversed, exact_normals, {interval_pair_of<Interval>(exact_normals[0]), interval_pair_of<Interval>(exact_normals[1])}, perpendicular_ends, next, cycle, component});
     for (const Vertex& vertex : m_vertices)
       find_continuations(vertex);
   }
@@ -131,28 +131,28 @@ public:
   // For parts that other curves have, too, and only one of which has been added.
   void add_coincident_parts(const Coincident_parts_2& parts) { m_coincident_parts.push_back(parts); }
 
-  // Orders the arcs around the vertices, and makes the fronts. Where some may overlap, the graph is not proved; where some may cross, it is not planar.
+  // Orders the arcs around the vertices, and makes the elements. Where some may overlap, the graph is not proved; where some may cross, it is not planar.
   void close(bool are_arcs_disjoint = true, bool are_crossings_cut = true)
   {
     m_is_proved = are_arcs_disjoint;
     m_is_planar = are_crossings_cut;
     for (std::size_t i = 0; i < m_arcs.size(); ++i) {
-      m_fronts.push_back({false, i, false});
-      m_fronts.push_back({false, i, true});
+      m_elements.push_back({false, i, false});
+      m_elements.push_back({false, i, true});
     }
     m_continuations.resize(m_arcs.size());
     for (std::size_t v = 0; v < m_vertices.size(); ++v) {
       const bool is_ordered = order_ends(m_vertices[v]);
       m_is_proved = m_is_proved && is_ordered && is_order_proved(m_vertices[v]);
       find_continuations(m_vertices[v]);
-      connect_fronts(v);
+      connect_elements(v);
     }
-    number_cycles(m_fronts);
+    number_cycles(m_elements);
   }
 
   const std::vector<Site_arc_2>& arcs() const { return m_arcs; }
   const std::vector<Vertex>& vertices() const { return m_vertices; }
-  const std::vector<Front>& fronts() const { return m_fronts; }
+  const std::vector<Oriented_element>& elements() const { return m_elements; }
   std::size_t curve_of_arc(std::size_t arc) const { return m_curve_of_arc[arc]; }
   const std::vector<Coincident_parts_2>& coincident_parts() const { return m_coincident_parts; }
 
@@ -205,83 +205,83 @@ public:
     return sign_of(exact_dot(p, q)) < 0 && sign_of(exact_cross(p, q)) == 0 ? std::optional(next) : std::nullopt;
   }
 
-  // Whether a front ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
-  bool is_pocket(const Front& front, const Arc_end& end) const
+  // Whether an element ends where its arc joins another one nearly smoothly, at an angle of less than 180 degrees.
+  bool is_pocket(const Oriented_element& element, const Arc_end& end) const
   {
     const auto& next = nearly_smooth_continuation(end);
-    return next && (end.is_end != front.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
+    return next && (end.is_end != element.is_reversed) != next->is_left_reflex;   // on the left of the way to the corner
   }
 
-  // The end of the arc on the other side of the cusp in which a front ends: that arc leaves the vertex in the same direction, and nothing is between.
-  std::optional<Arc_end> across_cusp(const Front& front, const Arc_end& end) const
+  // The end of the arc on the other side of the cusp in which an element ends: that arc leaves the vertex in the same direction, and nothing is between.
+  std::optional<Arc_end> across_cusp(const Oriented_element& element, const Arc_end& end) const
   {
-    const Arc_end& next = next_around_vertex(front, end);
-    return !is_last_around_vertex(front, end) && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
+    const Arc_end& next = next_around_vertex(element, end);
+    return !is_last_around_vertex(element, end) && are_same_directions(direction(end), direction(next)) ? std::optional(next) : std::nullopt;
   }
 
   // Whether the next arc around the vertex is on the other side of all others, if all leave in one direction.
-  bool is_last_around_vertex(const Front& front, const Arc_end& end) const
+  bool is_last_around_vertex(const Oriented_element& element, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
-    return end == (is_left_of_way_to(front, end) ? ends.front() : ends.back());
+    return end == (is_left_of_way_to(element, end) ? ends.front() : ends.back());
   }
 
-  // That of the next arc around the vertex in which a front ends, on the side of the front; and the front on the other side of the angle between them.
-  const Arc_end& next_around_vertex(const Front& front, const Arc_end& end) const
+  // That of the next arc around the vertex in which an element ends, on the side of the element; and the element on the other side of the angle between them.
+  const Arc_end& next_around_vertex(const Oriented_element& element, const Arc_end& end) const
   {
     const std::vector<Arc_end>& ends = m_vertices[vertex_of(end)].ends;
     const std::size_t i = static_cast<std::size_t>(std::find(ends.begin(), ends.end(), end) - ends.begin()), n = ends.size();
-    return ends[(i + (is_left_of_way_to(front, end) ? n - 1 : 1)) % n];
+    return ends[(i + (is_left_of_way_to(element, end) ? n - 1 : 1)) % n];
   }
 
-  std::size_t front_across(const Front& front, const Arc_end& end) const
+  std::size_t element_across(const Oriented_element& element, const Arc_end& end) const
   {
-    return is_left_of_way_to(front, end) ? departing(next_around_vertex(front, end)) : arriving(next_around_vertex(front, end));
+    return is_left_of_way_to(element, end) ? departing(next_around_vertex(element, end)) : arriving(next_around_vertex(element, end));
   }
 
-  // Those of the arcs on both sides of a fan.
-  std::pair<Arc_end, Arc_end> ends_beside_fan(std::size_t fan) const
+  // Those of the arcs on both sides of a normal cone.
+  std::pair<Arc_end, Arc_end> ends_beside_normal_cone(std::size_t normal_cone) const
   {
-    std::size_t f = fan;
-    while (m_fronts[f].is_fan)
-      f = m_fronts[f].next;
-    const Arc_end last{m_fronts[f].object, m_fronts[f].is_reversed};   // where the traversal departs
-    return {last, next_around_vertex(m_fronts[f], last)};
+    std::size_t f = normal_cone;
+    while (m_elements[f].is_normal_cone)
+      f = m_elements[f].next;
+    const Arc_end last{m_elements[f].object, m_elements[f].is_reversed};   // where the traversal departs
+    return {last, next_around_vertex(m_elements[f], last)};
   }
 
-  // Whether a front is a fan between arcs that join nearly smoothly.
-  bool is_in_nearly_smooth_joint(const Front& front) const
+  // Whether an element is a normal cone between arcs that join nearly smoothly.
+  bool is_in_nearly_smooth_joint(const Oriented_element& element) const
   {
-    return front.is_fan && !m_vertices[front.object].ends.empty() && nearly_smooth_continuation(m_vertices[front.object].ends.front()).has_value();
+    return element.is_normal_cone && !m_vertices[element.object].ends.empty() && nearly_smooth_continuation(m_vertices[element.object].ends.front()).has_value();
   }
 
   // The outgoing direction of an arc in one of its ends, also where its derivative is zero.
   const Exact_pair& direction(const Arc_end& end) const { return m_directions[end.arc][end.is_end]; }
 
-  Front_jet front_jet(const Front& front, const Range& range) const
+  Element_jet element_jet(const Oriented_element& element, const Range& range) const
   {
-    if (front.is_fan) {
+    if (element.is_normal_cone) {
       const Interval u = interval_of<Interval>(range);
-      const Interval_pair difference = front.normals[1] - front.normals[0];
-      return {m_vertices[front.object].point, {Interval(0), Interval(0)}, {front.normals[0][0] + u * difference[0], front.normals[0][1] + u * difference[1]}, difference};
+      const Interval_pair difference = element.normals[1] - element.normals[0];
+      return {m_vertices[element.object].point, {Interval(0), Interval(0)}, {element.normals[0][0] + u * difference[0], element.normals[0][1] + u * difference[1]}, difference};
     }
-    const Site_arc_2& arc = m_arcs[front.object];
+    const Site_arc_2& arc = m_arcs[element.object];
     const Curve_jet jet = arc.jet(range, 2);
-    const Interval side(front.is_reversed ? -1 : 1);
+    const Interval side(element.is_reversed ? -1 : 1);
     const auto [tangent, change] = arc.has_singular_end() ? arc.tangent_jet(range) : std::array{jet[1], jet[2]};
     return {jet[0], jet[1], side * turned_left(tangent), side * turned_left(change)};
   }
 
-  // Whether a vertex lies on the line or circle of the arc of a front: the disks through it then are half-planes, or have the curvature of the circle.
-  bool is_vertex_on_line_or_circle_of(std::size_t front, std::size_t vertex) const
+  // Whether a vertex lies on the line or circle of the arc of an element: the disks through it then are half-planes, or have the curvature of the circle.
+  bool is_vertex_on_line_or_circle_of(std::size_t element, std::size_t vertex) const
   {
-    if (m_fronts[front].is_fan)
+    if (m_elements[element].is_normal_cone)
       return false;
-    const Site_arc_2& arc = m_arcs[m_fronts[front].object];
+    const Site_arc_2& arc = m_arcs[m_elements[element].object];
     if (!arc.is_straight() && !arc.circle())
       return false;
     if (arc.is_straight()) {
-      const auto& [a, b] = m_vertices_of_arc[m_fronts[front].object];
+      const auto& [a, b] = m_vertices_of_arc[m_elements[element].object];
       const Interval_pair& q = m_vertices[vertex].point;
       if (certain_sign(dot(turned_left(m_vertices[a].point - q), m_vertices[b].point - q)) != 0)
         return false;
@@ -289,47 +289,47 @@ public:
       return false;
     if (m_vertices[vertex].is_exact)
       return arc.is_on_line_or_circle(m_vertices[vertex].exact_point);
-    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(front, end.arc); });
+    return std::any_of(m_vertices[vertex].ends.begin(), m_vertices[vertex].ends.end(), [&](const Arc_end& end) { return is_on_line_or_circle_of(element, end.arc); });
   }
 
-  // A point of a front, of an arc by the parameter of its piece, and the normal there.
-  Exact_pair exact_point_at(const Front& front, const Exact_rational& u) const { return front.is_fan ? m_vertices[front.object].exact_point : m_arcs[front.object].at(u); }
-  Exact_pair exact_normal(const Front& front, const Exact_rational& u) const
+  // A point of an element, of an arc by the parameter of its piece, and the normal there.
+  Exact_pair exact_point_at(const Oriented_element& element, const Exact_rational& u) const { return element.is_normal_cone ? m_vertices[element.object].exact_point : m_arcs[element.object].at(u); }
+  Exact_pair exact_normal(const Oriented_element& element, const Exact_rational& u) const
   {
-    if (front.is_fan) {
-      const auto& [from, to] = front.exact_normals;
+    if (element.is_normal_cone) {
+      const auto& [from, to] = element.exact_normals;
       return {Exact_rational(from[0] + u * (to[0] - from[0])), Exact_rational(from[1] + u * (to[1] - from[1]))};
     }
-    const Exact_pair tangent = m_arcs[front.object].tangent_at(u);
-    return front.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
+    const Exact_pair tangent = m_arcs[element.object].tangent_at(u);
+    return element.is_reversed ? Exact_pair{tangent[1], Exact_rational(-tangent[0])} : Exact_pair{Exact_rational(-tangent[1]), tangent[0]};
   }
 
-  // Whether the first or last normal of a fan is perpendicular to an arc there.
-  static bool is_perpendicular(const Front& fan, bool normal, const Arc_end& end)
+  // Whether the first or last normal of a normal cone is perpendicular to an arc there.
+  static bool is_perpendicular(const Oriented_element& normal_cone, bool normal, const Arc_end& end)
   {
-    const std::vector<Arc_end>& ends = fan.perpendicular_ends[normal];
+    const std::vector<Arc_end>& ends = normal_cone.perpendicular_ends[normal];
     return std::find(ends.begin(), ends.end(), end) != ends.end();
   }
 
-  const Exact_pair& exact_point(const Front& front, bool end) const { return m_vertices[front.is_fan ? front.object : vertex_of({front.object, end})].exact_point; }
+  const Exact_pair& exact_point(const Oriented_element& element, bool end) const { return m_vertices[element.is_normal_cone ? element.object : vertex_of({element.object, end})].exact_point; }
 
-  // Whether an arc lies on the line or circle of the arc of a front.
-  bool is_on_line_or_circle_of(std::size_t front, std::size_t arc) const
+  // Whether an arc lies on the line or circle of the arc of an element.
+  bool is_on_line_or_circle_of(std::size_t element, std::size_t arc) const
   {
-    if (m_fronts[front].is_fan)
+    if (m_elements[element].is_normal_cone)
       return false;
-    const Site_arc_2 &own = m_arcs[m_fronts[front].object], &other = m_arcs[arc];
+    const Site_arc_2 &own = m_arcs[m_elements[element].object], &other = m_arcs[arc];
     if (own.is_straight())
       return other.is_straight() && own.is_on_line_or_circle(other.at(0)) && own.is_on_line_or_circle(other.at(1));
     return own.circle() && own.circle() == other.circle();
   }
 
-  // Whether no disk that touches a front touches an arc elsewhere: it lies on the line or circle of the front; or it is a segment that ends in the vertex of the front, or is behind one.
-  bool is_never_touched(std::size_t front, std::size_t arc) const
+  // Whether no disk that touches an element touches an arc elsewhere: it lies on the line or circle of the element; or it is a segment that ends in the vertex of the element, or is behind one.
+  bool is_never_touched(std::size_t element, std::size_t arc) const
   {
-    if (!m_fronts[front].is_fan)
-      return is_on_line_or_circle_of(front, arc);
-    const auto& ends = m_vertices[m_fronts[front].object].ends;
+    if (!m_elements[element].is_normal_cone)
+      return is_on_line_or_circle_of(element, arc);
+    const auto& ends = m_vertices[m_elements[element].object].ends;
     return m_arcs[arc].is_straight() && std::any_of(ends.begin(), ends.end(), [&](const Arc_end& end) { return is_on_ray_of(m_arcs[arc], end); });
   }
 
@@ -414,7 +414,7 @@ private:
     const auto is_opposite = [&](const Arc_end& end) { return are_same_directions(direction(end), direction(b)); };
     if (std::count_if(vertex.ends.begin(), vertex.ends.end(), is_opposite) == 1)
       return true;
-    const Front left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
+    const Oriented_element left{false, a.arc, !a.is_end}, right{false, a.arc, a.is_end};
     const Arc_end &next = next_around_vertex(left, a), &last = next_around_vertex(right, a);
     return (b == next || b == last) && (!is_opposite(next) || !is_opposite(last) || (m_curve_of_arc[a.arc] == m_curve_of_arc[b.arc] && a.is_end != b.is_end));
   }
@@ -434,24 +434,24 @@ private:
     return {b, scale, {jump(0), jump(1)}, is_left_reflex};
   }
 
-  static bool is_left_of_way_to(const Front& front, const Arc_end& end) { return end.is_end != front.is_reversed; }
+  static bool is_left_of_way_to(const Oriented_element& element, const Arc_end& end) { return end.is_end != element.is_reversed; }
 
-  // The front that is traversed away from an end of an arc, or toward it.
+  // The element that is traversed away from an end of an arc, or toward it.
   static std::size_t departing(const Arc_end& end) { return 2 * end.arc + end.is_end; }
   static std::size_t arriving(const Arc_end& end) { return 2 * end.arc + !end.is_end; }
 
   // Between the arcs a and b around a vertex, b clockwise from a, the traversal arrives along a and departs along b.
-  void connect_fronts(std::size_t v)
+  void connect_elements(std::size_t v)
   {
     const Vertex& vertex = m_vertices[v];
     const std::size_t n = vertex.ends.size();
     if (n == 0) {
       const std::array<Exact_pair, 4> axes{{{1, 0}, {0, -1}, {-1, 0}, {0, 1}}};
-      const std::size_t first = m_fronts.size();
+      const std::size_t first = m_elements.size();
       for (std::size_t k = 0; k < 4; ++k)
-        add_fan(v, axes[k], axes[(k + 1) % 4]);
+        add_normal_cone(v, axes[k], axes[(k + 1) % 4]);
       for (std::size_t k = 0; k < 4; ++k)
-        m_fronts[first + k].next = first + (k + 1) % 4;
+        m_elements[first + k].next = first + (k + 1) % 4;
       return;
     }
     for (std::size_t i = 0; i < n; ++i) {
@@ -459,7 +459,7 @@ private:
       const Exact_pair p = direction(a), q = direction(b), from{p[1], Exact_rational(-p[0])}, to{Exact_rational(-q[1]), q[0]}, ahead{Exact_rational(-p[0]), Exact_rational(-p[1])};
       const int side = sign_of(exact_cross(q, p));   // the angle from b to a is below 180 degrees if positive
       std::size_t last = arriving(a);
-      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_fronts[last].next = add_fan(v, n0, with_length_of(n0, n1)); };
+      const auto turn = [&](const Exact_pair& n0, const Exact_pair& n1) { last = m_elements[last].next = add_normal_cone(v, n0, with_length_of(n0, n1)); };
       if (n == 1 || side < 0 || (i == 0 && are_same_directions(p, q))) {   // the last case: all arcs leave in one direction
         if (n == 1 || side == 0 || sign_of(exact_dot(from, to)) < 0) {   // more than 90 degrees: in two steps
           const Exact_pair middle = n == 1 || side == 0 ? ahead : direction_between(from, to);
@@ -468,28 +468,28 @@ private:
         } else
           turn(from, to);
       }
-      m_fronts[last].next = departing(b);
+      m_elements[last].next = departing(b);
     }
   }
 
-  std::size_t add_fan(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
+  std::size_t add_normal_cone(std::size_t vertex, const Exact_pair& from, const Exact_pair& to)
   {
-    Front fan{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
+    Oriented_element normal_cone{true, vertex, false, {from, to}, {interval_pair_of<Interval>(from), interval_pair_of<Interval>(to)}};
     for (const Arc_end& end : m_vertices[vertex].ends)
       for (std::size_t k = 0; k < 2; ++k)
-        if (sign_of(exact_dot(fan.exact_normals[k], direction(end))) == 0)
-          fan.perpendicular_ends[k].push_back(end);
-    m_fronts.push_back(std::move(fan));
-    m_vertices[vertex].fans.push_back(m_fronts.size() - 1);
-    return m_fronts.size() - 1;
+        if (sign_of(exact_dot(normal_cone.exact_normals[k], direction(end))) == 0)
+          normal_cone.perpendicular_ends[k].push_back(end);
+    m_elements.push_back(std::move(normal_cone));
+    m_vertices[vertex].normal_cones.push_back(m_elements.size() - 1);
+    return m_elements.size() - 1;
   }
 };
 
 using Site_graph_2 = Basic_site_graph_2<Interval>;
 
-inline std::vector<std::size_t> all_fronts(const Site_graph_2& graph)
+inline std::vector<std::size_t> all_elements(const Site_graph_2& graph)
 {
-  std::vector<std::size_t> result(graph.fronts().size());
+  std::vector<std::size_t> result(graph.elements().size());
   std::iota(result.begin(), result.end(), 0);
   return result;
 }

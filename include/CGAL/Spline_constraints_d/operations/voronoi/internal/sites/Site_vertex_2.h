@@ -5,7 +5,7 @@
 #define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_SITE_VERTEX_2_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Front_2.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Oriented_element_2.h>
 
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ struct Basic_site_vertex
   Exact_pair exact_point;
   Interval_pair point{any_number<Interval>(), any_number<Interval>()};
   std::vector<Arc_end> ends{};        // of the arcs here, counterclockwise
-  std::vector<std::size_t> fans{};
+  std::vector<std::size_t> normal_cones{};
   bool is_exact = true;
   Interval_pair rest{Interval(0), Interval(0)};   // the exact point less the begin of the enclosure
 

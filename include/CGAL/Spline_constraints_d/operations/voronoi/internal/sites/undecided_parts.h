@@ -19,20 +19,20 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// A part of a front.
-struct Front_range
+// A part of an element.
+struct Element_range
 {
-  std::size_t front;
+  std::size_t element;
   Range range;
 };
 
-// The part of a curve that a part of a front belongs to: of a fan, the end of one of the arcs there; of an isolated point, no curve.
-inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Front_range& part)
+// The part of a curve that a part of an element belongs to: of a normal cone, the end of one of the arcs there; of an isolated point, no curve.
+inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Element_range& part)
 {
-  const Front& front = graph.fronts()[part.front];
-  if (!front.is_fan)
-    return {graph.curve_of_arc(front.object), graph.curve_parameter(front.object, part.range.begin), graph.curve_parameter(front.object, part.range.end)};
-  const auto& ends = graph.vertices()[front.object].ends;
+  const Oriented_element& element = graph.elements()[part.element];
+  if (!element.is_normal_cone)
+    return {graph.curve_of_arc(element.object), graph.curve_parameter(element.object, part.range.begin), graph.curve_parameter(element.object, part.range.end)};
+  const auto& ends = graph.vertices()[element.object].ends;
   if (ends.empty())
     return {std::numeric_limits<std::size_t>::max(), 0, 0};
   const double t = graph.curve_parameter(ends.front().arc, ends.front().parameter());
@@ -40,12 +40,12 @@ inline Undecided_part_2 part_of_curve(const Site_graph_2& graph, const Front_ran
 }
 
 // Those parts of curves, in order, where parts that meet are one. Of a graph that is not proved, where curves may overlap, all of each curve.
-inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2& graph, std::vector<Front_range> ranges)
+inline std::vector<Undecided_part_2> undecided_parts(const Site_graph_2& graph, std::vector<Element_range> ranges)
 {
-  for (std::size_t f = 0; f < graph.fronts().size() && !graph.is_proved(); ++f)
+  for (std::size_t f = 0; f < graph.elements().size() && !graph.is_proved(); ++f)
     ranges.push_back({f, Range()});
   std::vector<Undecided_part_2> parts, result;
-  for (const Front_range& range : ranges)
+  for (const Element_range& range : ranges)
     parts.push_back(part_of_curve(graph, range));
   std::sort(parts.begin(), parts.end(), [](const Undecided_part_2& a, const Undecided_part_2& b) { return std::tie(a.curve, a.from, a.to) < std::tie(b.curve, b.from, b.to); });
   for (const Undecided_part_2& part : parts)

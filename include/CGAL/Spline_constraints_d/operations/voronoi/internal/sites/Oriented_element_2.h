@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_FRONT_2_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_FRONT_2_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_ORIENTED_ELEMENT_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_ORIENTED_ELEMENT_2_H
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/Site_arc_2.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -33,15 +33,15 @@ struct Arc_end
 inline Range range_at(const Arc_end& end, double width) { return range_at(end.parameter(), width); }
 
 /*
-One side of an arc, or the normals of a vertex between two sides: what disks touch. Fronts are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
-from 1 to 0; and a fan clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
+One side of an arc, or the normals of a vertex between two sides: what disks touch. Elements are traversed with the free side on the left: an arc on its left side from 0 to 1, on its right side
+from 1 to 0; and a normal cone clockwise from its first normal to its second one, with the normal (1-u) n0 + u n1, so that all normals are polynomials in u.
 */
 template <Enclosing_number Interval>
-struct Basic_front
+struct Basic_oriented_element
 {
   using Interval_pair = std::array<Interval, 2>;
 
-  bool is_fan;
+  bool is_normal_cone;
   std::size_t object;        // an arc, or a vertex
   bool is_reversed = false;  // the right side of an arc
   std::array<Exact_pair, 2> exact_normals{};
@@ -51,18 +51,18 @@ struct Basic_front
   std::size_t cycle = 0, component = 0;   // of the traversal, and of the connected arcs that it belongs to
 };
 
-using Front = Basic_front<Interval>;
+using Oriented_element = Basic_oriented_element<Interval>;
 
-// Enclosures of the point of a front, its normal, which has any length, and their derivatives.
+// Enclosures of the point of an element, its normal, which has any length, and their derivatives.
 template <Enclosing_number Interval>
-struct Basic_front_jet
+struct Basic_element_jet
 {
   using Interval_pair = std::array<Interval, 2>;
 
   Interval_pair point, point_derivative, normal, normal_derivative;
 };
 
-using Front_jet = Basic_front_jet<Interval>;
+using Element_jet = Basic_element_jet<Interval>;
 
 // The arc that goes on in the direction in which another one ends, and the ratio of its speed to that of the other one there; of any size, if one of them is zero.
 template <Enclosing_number Interval>
@@ -113,4 +113,4 @@ struct Basic_arc_continuations
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_FRONT_2_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_ORIENTED_ELEMENT_2_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_SUMMING_SOLVER_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_SUMMING_SOLVER_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/solver/Subdivision_solver_d.h>
@@ -30,7 +30,7 @@ inline Constraint_system_d system_of(const std::vector<Constraint>& constraints,
 }
 
 // Solves the systems of one operation, and adds up the work. Limits of time and nodes are for all systems together, that of time also for what is done between them.
-class Summing_solver
+class Budgeted_solver
 {
   using Clock = std::chrono::steady_clock;
 
@@ -39,7 +39,7 @@ class Summing_solver
   Clock::time_point m_start = Clock::now();
 
 public:
-  explicit Summing_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
+  explicit Budgeted_solver(const Solver_options& options) : m_options(options) { m_options.check(); }
 
   Solution_set_d<double> operator()(const std::vector<Constraint>& constraints) { return solve(make_system(constraints)); }
 
@@ -49,16 +49,16 @@ public:
   const Summary& total() const { return m_total; }
 
   // One for a few more nodes, whose work is added afterwards.
-  Summing_solver limited(std::size_t nodes) const
+  Budgeted_solver limited(std::size_t nodes) const
   {
-    Summing_solver result(*this);
+    Budgeted_solver result(*this);
     const std::size_t limit = m_total.nodes + nodes;
     if (m_options.node_limit == 0 || limit < m_options.node_limit)
       result.m_options.node_limit = limit;
     return result;
   }
 
-  void add_work_of(const Summing_solver& limited) { m_total = limited.m_total; }
+  void add_work_of(const Budgeted_solver& limited) { m_total = limited.m_total; }
 
   // Whether there are no nodes left.
   bool has_reached_node_limit() const { return m_options.node_limit > 0 && m_total.nodes >= m_options.node_limit; }
@@ -99,4 +99,4 @@ inline bool hold(const std::vector<Constraint>& constraints)
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_SUMMING_SOLVER_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_COMMON_INTERNAL_BUDGETED_SOLVER_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_2_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_2_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_OF_CURVES_2_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_OF_CURVES_2_H
 
 #include <CGAL/Spline_constraints_d/geometry/kernel_numbers.h>
 #include <CGAL/Spline_constraints_d/number/Invalid_input.h>
@@ -65,14 +65,14 @@ struct Voronoi_coincidence_2
 
 The Voronoi diagram of points and curves, trimmed: a planar graph of the points that have the same least distance from two sites or more.
 
-A vertex of degree three or more is such a point of as many contacts. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
+A vertex of degree three or more is such a point of as many footpoints. Of degree two: an edge goes on there with another site, because the foot of the perpendicular arrives at the end of one. Of degree one: the diagram ends in a center of curvature, in a corner of the curves, or at infinity.
 
-Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of contacts, in which there may be other vertices and short edges. One that is resolved has bounds of its point, its radius and the parameters of its contacts, which are proved.
+Edges and vertices are connected by proof. Where something is not decided, `is_complete()` is false, and `undecided()` tells beside which parts of curves: a vertex that is not resolved stands for a small range of footpoints, in which there may be other vertices and short edges. One that is resolved has bounds of its point, its radius and the parameters of its footpoints, which are proved.
 
 \tparam Kernel a `SplineKernel`.
 */
 template <SplineKernel Kernel>
-class Voronoi_diagram_2
+class Voronoi_diagram_of_curves_2
 {
 public:
   using Point = typename Kernel::Point_2;
@@ -80,7 +80,7 @@ public:
   using Sample = Voronoi_sample_2<Kernel>;
 
   //! where the disk of a vertex touches a site.
-  struct Contact
+  struct Footpoint
   {
     std::size_t site;                       ///< the site
     double parameter;                       ///< of the curve; of a point, no number
@@ -93,7 +93,7 @@ public:
     Point point;                        ///< where it is, rounded; if it is at infinity, no point
     double radius;                      ///< the distance from the sites
     std::vector<std::size_t> edges;     ///< that begin or end here, clockwise; an edge that does both is listed twice
-    std::vector<Contact> contacts;      ///< one between each edge and the next one, clockwise; one, if there are no edges
+    std::vector<Footpoint> footpoints;      ///< one between each edge and the next one, clockwise; one, if there are no edges
     bool is_at_infinity;                ///< whether an edge has no end here
     bool is_resolved;                   ///< whether it is proved to be one vertex
     CGAL::Bbox_2 box;                   ///< the exact point is in it, by proof; infinite where nothing is proved, or it is at infinity
@@ -103,7 +103,7 @@ public:
   //! an edge.
   struct Edge
   {
-    std::array<std::size_t, 2> sites;                       ///< the site on its right, and that on its left; the same one if both contacts are on one piece
+    std::array<std::size_t, 2> sites;                       ///< the site on its right, and that on its left; the same one if both footpoints are on one piece
     std::array<std::size_t, 2> vertices;                    ///< where it begins and ends
     std::array<std::array<double, 2>, 2> parameters;        ///< of each site, where the disks touch it at the begin and at the end of the edge; of points, no numbers
   };
@@ -151,7 +151,7 @@ private:
 
 public:
 #ifndef DOXYGEN_RUNNING
-  Voronoi_diagram_2(std::shared_ptr<const internal::Voronoi::Site_graph_2> graph, std::shared_ptr<const internal::Voronoi::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph), m_undecided(internal::Voronoi::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
+  Voronoi_diagram_of_curves_2(std::shared_ptr<const internal::Voronoi::Site_graph_2> graph, std::shared_ptr<const internal::Voronoi::Disk_diagram> diagram) : m_graph(std::move(graph)), m_diagram(std::move(diagram)), m_tree(*m_graph), m_undecided(internal::Voronoi::undecided_parts(*m_graph, m_diagram->unresolved_parts()))
   {
     const Upward_rounding_guard guard;
     make_coincident_parts();
@@ -210,14 +210,14 @@ public:
   {
     const std::set<std::size_t> inner(sites.begin(), sites.end());
     if (!inner.empty() && *inner.rbegin() >= m_sites.size())
-      throw Invalid_input("Voronoi_diagram_2: there is no site " + std::to_string(*inner.rbegin()));
+      throw Invalid_input("Voronoi_diagram_of_curves_2: there is no site " + std::to_string(*inner.rbegin()));
     std::vector<std::size_t> halfedges;
     Cell result{{}, m_graph->is_proved()};
     for (const std::size_t site : inner) {
       halfedges.insert(halfedges.end(), m_halfedges_of_site[site].begin(), m_halfedges_of_site[site].end());
       result.is_complete = result.is_complete && !m_is_undecided[site];
     }
-    const auto is_inside = [&](std::size_t h) { return inner.contains(site_of(m_diagram->front(m_diagram->halfedges()[h]))); };
+    const auto is_inside = [&](std::size_t h) { return inner.contains(site_of(m_diagram->element(m_diagram->halfedges()[h]))); };
     for (const auto& [chain, is_closed] : internal::Voronoi::Cell_boundaries(*m_diagram, is_inside)(halfedges)) {
       result.chains.push_back({{}, is_closed});
       for (const std::size_t h : chain)
@@ -241,9 +241,9 @@ public:
   */
   std::vector<Sample> polyline(std::size_t edge, double error, double most_radius = std::numeric_limits<double>::infinity()) const
   {
-    internal::check_error(error, "Voronoi_diagram_2");
+    internal::check_error(error, "Voronoi_diagram_of_curves_2");
     if (edge >= m_edges.size())
-      throw Invalid_input("Voronoi_diagram_2: there is no edge " + std::to_string(edge));
+      throw Invalid_input("Voronoi_diagram_of_curves_2: there is no edge " + std::to_string(edge));
     const Upward_rounding_guard guard;
     std::vector<Sample> result;
     for (const Part& part : m_diagram->halfedges()[m_halfedge_of_edge[edge]].parts)
@@ -279,14 +279,14 @@ public:
   {
     const Upward_rounding_guard guard;
     const internal::Exact_pair exact{internal::converted_number<Exact_rational>(point.x()), internal::converted_number<Exact_rational>(point.y())};
-    internal::Voronoi::check_magnitude(exact, "Voronoi_diagram_2::nearest_sites");
+    internal::Voronoi::check_magnitude(exact, "Voronoi_diagram_of_curves_2::nearest_sites");
     return internal::Voronoi::nearest_sites(*m_graph, m_tree, *m_diagram->fine_level(), exact);
   }
 
 private:
   internal::Voronoi::Edge_samples<Kernel> edge_samples() const { return {*m_graph, *m_diagram}; }
 
-  std::size_t site_of(const internal::Voronoi::Front& front) const { return front.object + (front.is_fan ? m_graph->arcs().size() : 0); }
+  std::size_t site_of(const internal::Voronoi::Oriented_element& element) const { return element.object + (element.is_normal_cone ? m_graph->arcs().size() : 0); }
 
   double curve_parameter(std::size_t site, double u) const { return m_sites[site].is_point ? std::numeric_limits<double>::quiet_NaN() : m_graph->curve_parameter(site, u); }
 
@@ -350,7 +350,7 @@ private:
     }
     for (const internal::Voronoi::Disk_diagram::Part& part : m_diagram->lone_circles()) {
       const Sample at = edge_samples()(part, m_diagram->end_parameter(part, false));
-      const std::size_t site = site_of(m_diagram->front(part));
+      const std::size_t site = site_of(m_diagram->element(part));
       const internal::Common::Site_arc_2& circle = m_graph->arcs()[site];
       m_vertices.push_back({at.point, at.radius, {}, {{site, at.parameters[0], m_sites[site].parameters}}, false, true, box(circle.center()), ends(CGAL::sqrt(circle.squared_radius()))});
     }
@@ -367,7 +367,7 @@ private:
         continue;
       edge_of[i] = edge_of[twin] = m_edges.size();
       m_halfedge_of_edge.push_back(i);
-      Edge edge{{site_of(m_diagram->front(halfedges[i])), site_of(m_diagram->front(halfedges[twin]))}, {halfedges[i].source, halfedges[twin].source}, {}};
+      Edge edge{{site_of(m_diagram->element(halfedges[i])), site_of(m_diagram->element(halfedges[twin]))}, {halfedges[i].source, halfedges[twin].source}, {}};
       for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t end = 0; end < 2; ++end)
           edge.parameters[k][end] = curve_parameter(edge.sites[k], end_parameter(halfedges[k == 0 ? i : twin], (end == 1) == (k == 0)));
@@ -376,9 +376,9 @@ private:
     for (std::size_t v = 0; v < m_diagram->vertices().size(); ++v)
       for (const std::size_t h : m_diagram->vertices()[v].outgoing)
         if (edge_of[h] != internal::Voronoi::Disk_diagram::none) {
-          const std::size_t site = site_of(m_diagram->front(halfedges[h]));
+          const std::size_t site = site_of(m_diagram->element(halfedges[h]));
           m_vertices[v].edges.push_back(edge_of[h]);
-          m_vertices[v].contacts.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false)), parameter_bounds(site, m_diagram->range_of_end(h, false).range)});
+          m_vertices[v].footpoints.push_back({site, curve_parameter(site, end_parameter(halfedges[h], false)), parameter_bounds(site, m_diagram->range_of_end(h, false).range)});
         }
   }
 
@@ -386,10 +386,10 @@ private:
   {
     m_halfedges_of_site.resize(m_sites.size());
     for (std::size_t h = 0; h < m_diagram->halfedges().size(); ++h)
-      m_halfedges_of_site[site_of(m_diagram->front(m_diagram->halfedges()[h]))].push_back(h);
+      m_halfedges_of_site[site_of(m_diagram->element(m_diagram->halfedges()[h]))].push_back(h);
     m_is_undecided.assign(m_sites.size(), false);
-    for (const internal::Voronoi::Front_range& part : m_diagram->unresolved_parts())
-      m_is_undecided[site_of(m_graph->fronts()[part.front])] = true;
+    for (const internal::Voronoi::Element_range& part : m_diagram->unresolved_parts())
+      m_is_undecided[site_of(m_graph->elements()[part.element])] = true;
   }
 
   // The side of an edge on which a halfedge is.
@@ -414,4 +414,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_2_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_VORONOI_DIAGRAM_OF_CURVES_2_H

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_CONTACT_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_CONTACT_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_FOOTPOINT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_FOOTPOINT_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
-#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_contact.h>
+#include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Located_footpoint.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/envelope/Reflection_2.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/sites/Arc_parameter.h>
 
@@ -21,14 +21,14 @@ namespace Voronoi {
 // A point that a disk touches: a vertex, or one in a range of an arc.
 struct Touched_point
 {
-  Disk_contact contact;
+  Disk_footpoint footpoint;
   Range range;
 };
 
 template <Enclosing_number Interval>
-bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_contact& contact)
+bool is_exact_vertex(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& footpoint)
 {
-  return contact.kind == Disk_contact::Kind::VERTEX && graph.vertices()[contact.index].is_exact;
+  return footpoint.kind == Disk_footpoint::Kind::VERTEX && graph.vertices()[footpoint.index].is_exact;
 }
 
 // Whether two arcs, which are not cut, are certain to have their ends at different distances: no reflection maps one to the other then.
@@ -41,9 +41,9 @@ bool have_different_chords(const Basic_site_graph_2<Interval>& graph, std::size_
   return certain_sign(chord(a) - chord(b)) != 0;
 }
 
-// The reflections that map a contact to another one.
+// The reflections that map a footpoint to another one.
 template <Enclosing_number Interval>
-std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_contact& from, const Disk_contact& to)
+std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph, const Disk_footpoint& from, const Disk_footpoint& to)
 {
   std::vector<Reflection_2> result;
   const auto append = [&](const std::optional<Reflection_2>& reflection) {
@@ -52,7 +52,7 @@ std::vector<Reflection_2> reflections(const Basic_site_graph_2<Interval>& graph,
   };
   if (is_exact_vertex(graph, from) && is_exact_vertex(graph, to))
     append(Reflection_2::of_points(graph.vertices()[from.index].exact_point, graph.vertices()[to.index].exact_point));
-  if (from.kind != Disk_contact::Kind::ARC || to.kind != Disk_contact::Kind::ARC)
+  if (from.kind != Disk_footpoint::Kind::ARC || to.kind != Disk_footpoint::Kind::ARC)
     return result;
   const Exact_arc_2 &a = graph.arcs()[from.index], &b = graph.arcs()[to.index];
   if (a.is_segment() && b.is_segment())
@@ -92,26 +92,26 @@ std::optional<Range> mirrored_range(const Basic_site_graph_2<Number>& graph, con
   return std::nullopt;
 }
 
-// The image of a point if it is on another contact.
+// The image of a point if it is on another footpoint.
 template <Enclosing_number Interval>
-std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_contact& contact)
+std::optional<Touched_point> mirrored(const Basic_site_graph_2<Interval>& graph, const Reflection_2& mirror, const Touched_point& point, const Disk_footpoint& footpoint)
 {
-  if (is_exact_vertex(graph, point.contact) && is_exact_vertex(graph, contact) && mirror(graph.vertices()[point.contact.index].exact_point) == graph.vertices()[contact.index].exact_point)
-    return Touched_point{contact, {}};
-  if (point.contact.kind == Disk_contact::Kind::ARC && contact.kind == Disk_contact::Kind::ARC)
-    if (const auto range = mirrored_range(graph, mirror, point.contact.index, point.range, contact.index))
-      return Touched_point{contact, *range};
+  if (is_exact_vertex(graph, point.footpoint) && is_exact_vertex(graph, footpoint) && mirror(graph.vertices()[point.footpoint.index].exact_point) == graph.vertices()[footpoint.index].exact_point)
+    return Touched_point{footpoint, {}};
+  if (point.footpoint.kind == Disk_footpoint::Kind::ARC && footpoint.kind == Disk_footpoint::Kind::ARC)
+    if (const auto range = mirrored_range(graph, mirror, point.footpoint.index, point.range, footpoint.index))
+      return Touched_point{footpoint, *range};
   return std::nullopt;
 }
 
-// Whether a point in which the curvature of disks through an arc is stationary is that of a contact: its range holds it, and the curvature is concave there.
+// Whether a point in which the curvature of disks through an arc is stationary is that of a footpoint: its range holds it, and the curvature is concave there.
 template <Enclosing_number Interval>
-bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Touched_point& point, const Located_contact& located)
+bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Touched_point& point, const Located_footpoint& located)
 {
-  if (located.contact.kind != Disk_contact::Kind::ARC)
+  if (located.footpoint.kind != Disk_footpoint::Kind::ARC)
     return true;
   const auto& [begin, end] = located.range;
-  return begin <= point.range.begin && point.range.end <= end && curvature(part, located.contact.index, located.range, graph.arcs()[located.contact.index].jet(located.range)).dvv.sup() < 0;
+  return begin <= point.range.begin && point.range.end <= end && curvature(part, located.footpoint.index, located.range, graph.arcs()[located.footpoint.index].jet(located.range)).dvv.sup() < 0;
 }
 
 } // namespace Voronoi
@@ -119,4 +119,4 @@ bool is_only_maximum(const Basic_site_graph_2<Interval>& graph, const Basic_disk
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_CONTACT_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_ENVELOPE_MIRRORED_FOOTPOINT_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_FRONT_OFFSET_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_FRONT_OFFSET_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_ELEMENT_OFFSET_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_ELEMENT_OFFSET_H
 
 #include <CGAL/Spline_constraints_d/operations/common/internal/append_samples.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -21,29 +21,29 @@ namespace internal {
 namespace Voronoi {
 
 /*
-The centers O(u) = X + r N / |N| of the disks of one radius that touch a front.
+The centers O(u) = X + r N / |N| of the disks of one radius that touch an element.
 */
-class Front_offset
+class Element_offset
 {
   const Site_graph_2& m_graph;
-  const Front& m_front;
+  const Oriented_element& m_element;
   Interval m_radius;
 
 public:
-  Front_offset(const Site_graph_2& graph, std::size_t front, const Interval& radius) : m_graph(graph), m_front(graph.fronts()[front]), m_radius(radius) {}
+  Element_offset(const Site_graph_2& graph, std::size_t element, const Interval& radius) : m_graph(graph), m_element(graph.elements()[element]), m_radius(radius) {}
 
   Interval_pair point(const Range& range) const
   {
-    const Interval_pair naive = center(m_graph.front_jet(m_front, range));
+    const Interval_pair naive = center(m_graph.element_jet(m_element, range));
     if (range.is_number())
       return naive;
     const double u = range.middle();
-    return common_part(naive, center(m_graph.front_jet(m_front, {u, u})) + (range.interval() - Interval(u)) * derivative(range));
+    return common_part(naive, center(m_graph.element_jet(m_element, {u, u})) + (range.interval() - Interval(u)) * derivative(range));
   }
 
   Interval_pair derivative(const Range& range) const
   {
-    const Front_jet x = m_graph.front_jet(m_front, range);
+    const Element_jet x = m_graph.element_jet(m_element, range);
     const Interval square = squared_norm(x.normal);
     if (!(square.inf() > 0))
       return {any_number(), any_number()};
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  Interval_pair center(const Front_jet& x) const { return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal; }
+  Interval_pair center(const Element_jet& x) const { return x.point + (m_radius / CGAL::sqrt(squared_norm(x.normal))) * x.normal; }
 
   // A bound of the distance from the line of the chord.
   double height(const Range& range) const
@@ -83,4 +83,4 @@ private:
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_FRONT_OFFSET_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_OFFSET_ELEMENT_OFFSET_H

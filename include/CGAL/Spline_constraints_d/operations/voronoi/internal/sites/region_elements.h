@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_FRONTS_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_FRONTS_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_ELEMENTS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_ELEMENTS_H
 
 #include <CGAL/Spline_constraints_d/number/Rounding_guard.h>
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
@@ -34,18 +34,18 @@ std::shared_ptr<const Site_graph_2> region_graph(const Region& region)
   return graph;
 }
 
-// The fronts inside or outside of a region, of which this is the graph: the sides of arcs there, and the fans that they lead to.
+// The elements inside or outside of a region, of which this is the graph: the sides of arcs there, and the normal cones that they lead to.
 template <class Region>
-std::vector<std::size_t> region_fronts(const Site_graph_2& graph, const Region& region, bool is_inside)
+std::vector<std::size_t> region_elements(const Site_graph_2& graph, const Region& region, bool is_inside)
 {
   const auto is_reversed = [&](std::size_t arc) {   // against the direction that has the region on the left
     const auto& arcs = region.arcs_of_curves()[graph.curve_of_arc(arc)];
     return std::find_if(arcs.begin(), arcs.end(), [&](const auto& own) { return own.parameters[1] >= graph.arcs()[arc].piece().domain.second; })->is_reversed;
   };
   std::vector<std::size_t> result;
-  std::vector<char> is_visited(graph.fronts().size(), false);
+  std::vector<char> is_visited(graph.elements().size(), false);
   for (std::size_t arc = 0; arc < graph.arcs().size(); ++arc)
-    for (std::size_t f = 2 * arc + (is_reversed(arc) == is_inside); !is_visited[f]; f = graph.fronts()[f].next) {
+    for (std::size_t f = 2 * arc + (is_reversed(arc) == is_inside); !is_visited[f]; f = graph.elements()[f].next) {
       is_visited[f] = true;
       result.push_back(f);
     }
@@ -57,4 +57,4 @@ std::vector<std::size_t> region_fronts(const Site_graph_2& graph, const Region& 
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_FRONTS_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_SITES_REGION_ELEMENTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_CONTACT_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_CONTACT_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_FOOTPOINT_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_FOOTPOINT_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_expansion.h>
@@ -24,32 +24,32 @@ namespace Spline_constraints {
 namespace internal {
 namespace Voronoi {
 
-// What the maximal disks of a stretch touch besides the front: the inner points of an arc, a vertex, the whole circle that the front lies on, or, where disks are half-planes, nothing.
-struct Disk_contact
+// What the maximal disks of an envelope arc touch besides the element: the inner points of an arc, a vertex, the whole circle that the element lies on, or, where disks are half-planes, nothing.
+struct Disk_footpoint
 {
   enum class Kind { ARC, VERTEX, CIRCLE, NOTHING };
 
   Kind kind = Kind::NOTHING;
   std::size_t index = 0;
-  int side = 0;   // of contacts on the arc of the front itself: 1 after the parameter of the front, -1 before
+  int side = 0;   // of footpoints on the arc of the element itself: 1 after the parameter of the element, -1 before
 
-  bool operator==(const Disk_contact&) const = default;
+  bool operator==(const Disk_footpoint&) const = default;
 };
 
 template <Enclosing_number Interval>
-bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_contact& contact)
+bool is_scaled(const Basic_disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
 {
-  return contact.kind == Disk_contact::Kind::ARC ? curvature.is_arc_scaled(contact.index) : contact.kind == Disk_contact::Kind::VERTEX && curvature.is_vertex_scaled(contact.index);
+  return footpoint.kind == Disk_footpoint::Kind::ARC ? curvature.is_arc_scaled(footpoint.index) : footpoint.kind == Disk_footpoint::Kind::VERTEX && curvature.is_vertex_scaled(footpoint.index);
 }
 
-// By which squared distances from a contact are divided.
+// By which squared distances from a footpoint are divided.
 template <Enclosing_number Interval>
-Exact_rational squared_factor(const Basic_disk_curvature<Interval>& curvature, const Disk_contact& contact)
+Exact_rational squared_factor(const Basic_disk_curvature<Interval>& curvature, const Disk_footpoint& footpoint)
 {
-  return is_scaled(curvature, contact) ? curvature.scaled_sites()->squared_factor : Exact_rational(1);
+  return is_scaled(curvature, footpoint) ? curvature.scaled_sites()->squared_factor : Exact_rational(1);
 }
 
-// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the front; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
+// In a corner the curvature is not less than some number divided by the distance from it, in the parameter of the element; in a cusp, by a power of it; and where a derivative is zero, by a power of its root.
 struct Corner_of_disks
 {
   double parameter = 0, least = 0;
@@ -67,16 +67,16 @@ struct Corner_of_disks
   }
 };
 
-// A contact, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some numbers.
-struct Located_contact
+// A footpoint, and where it is on an arc: the curvature has one maximum in that range, or one that is not less than some numbers.
+struct Located_footpoint
 {
-  Disk_contact contact;
+  Disk_footpoint footpoint;
   Range range{};
   double least = -std::numeric_limits<double>::infinity();
   Corner_of_disks corner{};
 };
 
-// The curvature of a disk, and for contacts in an arc a range that holds the parameter there, and one with the greatest curvature that is known.
+// The curvature of a disk, and for footpoints in an arc a range that holds the parameter there, and one with the greatest curvature that is known.
 template <Enclosing_number Interval>
 struct Basic_attained_curvature
 {
@@ -164,9 +164,9 @@ Basic_attained_curvature<Interval> bounded_curvature(const Curvature_at& at, con
 
 // The only maximum of the curvature in a range of an arc that is not too low.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
+Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc_2<Interval>& arc, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
-  const auto at = [&](const Range& range) { return curvature(part, located.contact.index, range, arc.jet(range)); };
+  const auto at = [&](const Range& range) { return curvature(part, located.footpoint.index, range, arc.jet(range)); };
   const double least = (std::max)(located.least, located.corner.least_curvature(part.range.begin));   // the part is one point
   const auto is_known = [&](const Basic_attained_curvature<Interval>& k) { return k.curvature.inf() >= least && std::isfinite(k.curvature.sup() - k.curvature.inf()); };
   Basic_attained_curvature<Interval> result = maximal_curvature<Interval>(at, located.range);
@@ -177,51 +177,51 @@ Basic_attained_curvature<Interval> largest_curvature_on_arc(const Basic_site_arc
   return is_known(result) ? result : bounded;
 }
 
-// The disks of a part that touch a contact, if it is on a line or circle, and certainly in the inside of its arc.
+// The disks of a part that touch a footpoint, if it is on a line or circle, and certainly in the inside of its arc.
 template <Enclosing_number Interval>
-std::optional<Basic_tangent_disks<Interval>> tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Disk_contact& contact)
+std::optional<Basic_tangent_disks<Interval>> tangent_disks(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Disk_footpoint& footpoint)
 {
-  return contact.kind == Disk_contact::Kind::ARC ? Basic_tangent_disks<Interval>::over(graph, curvature, part, contact.index) : std::nullopt;
+  return footpoint.kind == Disk_footpoint::Kind::ARC ? Basic_tangent_disks<Interval>::over(graph, curvature, part, footpoint.index) : std::nullopt;
 }
 
-// The curvature of the disk that touches a front in one point, and a contact.
+// The curvature of the disk that touches an element in one point, and a footpoint.
 template <Enclosing_number Interval>
-Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
+Basic_attained_curvature<Interval> largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
-  switch (located.contact.kind) {
-  case Disk_contact::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.contact.index], curvature, part, located);
-  case Disk_contact::Kind::VERTEX: return {curvature(part, located.contact.index).value};
-  case Disk_contact::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
+  switch (located.footpoint.kind) {
+  case Disk_footpoint::Kind::ARC: return largest_curvature_on_arc(graph.arcs()[located.footpoint.index], curvature, part, located);
+  case Disk_footpoint::Kind::VERTEX: return {curvature(part, located.footpoint.index).value};
+  case Disk_footpoint::Kind::CIRCLE: return {curvature.of_own_circle(part).value().value};
   default: return {Interval(0)};
   }
 }
 
-// The derivative of that curvature by the parameter of the front, over a part: where k_v = 0 it is k_u.
+// The derivative of that curvature by the parameter of the element, over a part: where k_v = 0 it is k_u.
 template <Enclosing_number Interval>
-Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
+Interval slope_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
-  const std::size_t index = located.contact.index;
-  switch (located.contact.kind) {
-  case Disk_contact::Kind::ARC: {
-    const auto tangent = tangent_disks(graph, curvature, part, located.contact);   // in the range, or lower than something else
+  const std::size_t index = located.footpoint.index;
+  switch (located.footpoint.kind) {
+  case Disk_footpoint::Kind::ARC: {
+    const auto tangent = tangent_disks(graph, curvature, part, located.footpoint);   // in the range, or lower than something else
     return tangent ? tangent->expansion().slope : curvature(part, index, located.range, graph.arcs()[index].jet(located.range)).du;
   }
-  case Disk_contact::Kind::VERTEX: return curvature(part, index).du;
-  case Disk_contact::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
+  case Disk_footpoint::Kind::VERTEX: return curvature(part, index).du;
+  case Disk_footpoint::Kind::CIRCLE: return curvature.of_own_circle(part).value().du;
   default: return Interval(0);
   }
 }
 
 // The second derivative of that curvature over a part: k_uu - k_uv^2 / k_vv, where k_uv^2 / k_vv is m times what it is for k_v / m; k_uu where the largest one may be at an end of the range.
 template <Enclosing_number Interval>
-Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
+Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
-  const std::size_t index = located.contact.index;
-  if (located.contact.kind == Disk_contact::Kind::NOTHING)
+  const std::size_t index = located.footpoint.index;
+  if (located.footpoint.kind == Disk_footpoint::Kind::NOTHING)
     return Interval(0);
-  if (located.contact.kind == Disk_contact::Kind::VERTEX && !curvature.is_vertex_scaled(index))
+  if (located.footpoint.kind == Disk_footpoint::Kind::VERTEX && !curvature.is_vertex_scaled(index))
     return second_derivative_of_curvature(graph, part, graph.vertices()[index].point, curvature(part, index));
-  if (located.contact.kind != Disk_contact::Kind::ARC || curvature.is_arc_scaled(index))
+  if (located.footpoint.kind != Disk_footpoint::Kind::ARC || curvature.is_arc_scaled(index))
     return any_number<Interval>();
   const Basic_curve_jet<Interval> jet = graph.arcs()[index].jet(located.range);
   const Basic_curvature_bounds<Interval> k = curvature(part, index, located.range, jet);
@@ -229,26 +229,26 @@ Interval second_derivative_of_largest_curvature(const Basic_site_graph_2<Interva
     return any_number<Interval>();
   const auto slope_at = [&](double v) { return curvature(part, index, {v, v}, graph.arcs()[index].jet({v, v})).dv; };
   const bool is_inside = slope_at(located.range.begin).inf() > 0 && slope_at(located.range.end).sup() < 0;
-  const Interval by_contact = k.factor * CGAL::square(k.duv) / -k.dvv;
-  if (!(by_contact.inf() >= 0 && std::isfinite(by_contact.sup())))
+  const Interval by_footpoint = k.factor * CGAL::square(k.duv) / -k.dvv;
+  if (!(by_footpoint.inf() >= 0 && std::isfinite(by_footpoint.sup())))
     return any_number<Interval>();
-  return second_derivative_of_curvature(graph, part, jet[0], k) + (is_inside ? by_contact : hull(Interval(0), by_contact));
+  return second_derivative_of_curvature(graph, part, jet[0], k) + (is_inside ? by_footpoint : hull(Interval(0), by_footpoint));
 }
 
-// By the disks of one contact; where it is on a line or circle, by those that touch that.
+// By the disks of one footpoint; where it is on a line or circle, by those that touch that.
 template <Enclosing_number Interval>
-Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_front_part<Interval>& part, const Located_contact& located)
+Basic_curvature_expansion<Interval> curvature_expansion(const Basic_site_graph_2<Interval>& graph, const Basic_disk_curvature<Interval>& curvature, const Basic_element_part<Interval>& part, const Located_footpoint& located)
 {
-  if (const auto tangent = tangent_disks(graph, curvature, part, located.contact))
+  if (const auto tangent = tangent_disks(graph, curvature, part, located.footpoint))
     return tangent->expansion();
   const double u = part.range.middle();
-  const Basic_front_part<Interval> middle = curvature.part(part.front, {u, u});
+  const Basic_element_part<Interval> middle = curvature.part(part.element, {u, u});
   const Basic_attained_curvature<Interval> greatest = largest_curvature(graph, curvature, middle, located);
   Basic_curvature_expansion<Interval> result;
   result.slope = slope_of_largest_curvature(graph, curvature, part, located);
   if (!greatest.is_attained || !std::isfinite(greatest.curvature.sup() - greatest.curvature.inf()))
     return result;
-  Located_contact here = located;
+  Located_footpoint here = located;
   here.range = greatest.range;
   result.at_middle = greatest.curvature;
   result.slope_at_middle = slope_of_largest_curvature(graph, curvature, middle, here);
@@ -278,4 +278,4 @@ Range range_of_zero(Range range, const Sign_at& sign_at, int sign_at_begin)
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_CONTACT_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_LOCATED_FOOTPOINT_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Spline_constraints_d authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_FAN_DISKS_H
-#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_FAN_DISKS_H
+#ifndef CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_NORMAL_CONE_DISKS_H
+#define CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_NORMAL_CONE_DISKS_H
 
 #include <CGAL/Spline_constraints_d/operations/subjects.h>
 #include <CGAL/Spline_constraints_d/operations/voronoi/internal/disks/Curvature_bounds.h>
@@ -18,7 +18,7 @@ namespace internal {
 namespace Voronoi {
 
 /*
-Disks that touch a vertex p with a normal N = (1-w) n + w m of a fan, and pass through a point Y = p + t B of an arc that begins there, perpendicular to n. With <N, Y - p> = t w c + t^2 e, where c = <m, B(0)>, and |Y - p|^2 = t^2 s, their curvature is
+Disks that touch a vertex p with a normal N = (1-w) n + w m of a normal cone, and pass through a point Y = p + t B of an arc that begins there, perpendicular to n. With <N, Y - p> = t w c + t^2 e, where c = <m, B(0)>, and |Y - p|^2 = t^2 s, their curvature is
 
   k(w,t) = 2 (e + w c / t) / s,
 
@@ -33,28 +33,28 @@ Near the vertex b > 0. So if a > 0 k increases with t; and if t^2 a / b is monot
 So it is monotone, too, if a decreases, which may be positive first: then the curvature of the arc has its maximum next to the vertex.
 */
 template <Enclosing_number Interval>
-class Basic_fan_disks
+class Basic_normal_cone_disks
 {
   using Interval_pair = std::array<Interval, 2>;
   using Curve_jet = Basic_curve_jet<Interval>;
   using Site_graph_2 = Basic_site_graph_2<Interval>;
-  using Front = Basic_front<Interval>;
-  using Front_part = Basic_front_part<Interval>;
+  using Oriented_element = Basic_oriented_element<Interval>;
+  using Element_part = Basic_element_part<Interval>;
   using Curvature_bounds = Basic_curvature_bounds<Interval>;
   using Curvature_quotient = Basic_curvature_quotient<Interval>;
 
   Interval m_t;
   Interval m_share;           // of m
-  Interval m_share_change;    // with the parameter of the front
+  Interval m_share_change;    // with the parameter of the element
   double m_direction;         // of the parameter of the arc, away from the vertex
   Interval e, e1, e2, eu, e1u, c, s, s1, s2;
   bool m_is_regular;
 
 public:
-  // For the normal in the begin or end of a fan, which is perpendicular to the arc, and points up to the end of a range.
-  Basic_fan_disks(const Site_graph_2& graph, const Front_part& part, bool normal, const Arc_end& end, const Range& range)
+  // For the normal in the begin or end of a normal cone, which is perpendicular to the arc, and points up to the end of a range.
+  Basic_normal_cone_disks(const Site_graph_2& graph, const Element_part& part, bool normal, const Arc_end& end, const Range& range)
   {
-    const Front& front = graph.fronts()[part.front];
+    const Oriented_element& element = graph.elements()[part.element];
     const Range to_vertex = united(range, {end.parameter(), end.parameter()});
     Curve_jet y = graph.arcs()[end.arc].jet(to_vertex);
     m_direction = end.is_end ? -1 : 1;
@@ -70,7 +70,7 @@ public:
     e2 = twelfth * dot(n, y[4]);
     eu = half * dot(nu, y[2]);
     e1u = sixth * dot(nu, y[3]);
-    c = dot(front.normals[!normal], Interval(m_direction) * graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]);
+    c = dot(element.normals[!normal], Interval(m_direction) * graph.arcs()[end.arc].jet({end.parameter(), end.parameter()}, 1)[1]);
     const Interval_pair b1 = half * y[2], b2 = third * y[3];
     s = squared_norm(y[1]);
     s1 = two * dot(y[1], b1);
@@ -118,35 +118,35 @@ private:
   Interval one_plus() const { return Interval(1) + m_t * s1 / s; }   // b / -c
 };
 
-using Fan_disks = Basic_fan_disks<Interval>;
+using Normal_cone_disks = Basic_normal_cone_disks<Interval>;
 
-// Whether an arc lies on a circle through the vertex of a fan whose first or last normal points along a diameter.
+// Whether an arc lies on a circle through the vertex of a normal cone whose first or last normal points along a diameter.
 template <Enclosing_number Interval>
-bool is_on_circle_through_fan(const Basic_site_graph_2<Interval>& graph, const Basic_front<Interval>& fan, bool normal, std::size_t arc)
+bool is_on_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph, const Basic_oriented_element<Interval>& normal_cone, bool normal, std::size_t arc)
 {
   const Basic_site_arc_2<Interval>& y = graph.arcs()[arc];
-  const auto& vertex = graph.vertices()[fan.object];
+  const auto& vertex = graph.vertices()[normal_cone.object];
   if (!y.circle() || y.turns_back() || y.has_singular_end() || !vertex.is_exact || certain_sign(squared_norm(vertex.point - y.center()) - y.squared_radius()) != 0)   // most are elsewhere: this is cheap
     return false;
-  return y.is_on_line_or_circle(vertex.exact_point) && sign_of(exact_cross(fan.exact_normals[normal], exact_difference(y.circle()->first, vertex.exact_point))) == 0;
+  return y.is_on_line_or_circle(vertex.exact_point) && sign_of(exact_cross(normal_cone.exact_normals[normal], exact_difference(y.circle()->first, vertex.exact_point))) == 0;
 }
 
 /*
-How the curvature k of disks that touch the vertex p of a fan with a normal N = (1-w) n + w m changes along such a circle, of which n points along a diameter. The inversion Z = (Y - p) / |Y - p|^2 maps the circle to a line across n, along which Z moves in one direction T, and k = 2 <N, Z>. So
+How the curvature k of disks that touch the vertex p of a normal cone with a normal N = (1-w) n + w m changes along such a circle, of which n points along a diameter. The inversion Z = (Y - p) / |Y - p|^2 maps the circle to a line across n, along which Z moves in one direction T, and k = 2 <N, Z>. So
 
   k_v = 2 w <m, T> |Y_v| / |Y - p|^2
 
 has the sign of <m, T> for all w > 0, though the disk with w = 0 may touch all of the circle.
 */
 template <Enclosing_number Interval>
-Basic_curvature_bounds<Interval> along_circle_through_fan(const Basic_site_graph_2<Interval>& graph, const Basic_front_part<Interval>& part, bool normal, std::size_t arc, const Basic_curve_jet<Interval>& y)
+Basic_curvature_bounds<Interval> along_circle_through_normal_cone(const Basic_site_graph_2<Interval>& graph, const Basic_element_part<Interval>& part, bool normal, std::size_t arc, const Basic_curve_jet<Interval>& y)
 {
-  const auto& fan = graph.fronts()[part.front];
+  const auto& normal_cone = graph.elements()[part.element];
   const auto& circle = graph.arcs()[arc];
-  const auto& p = graph.vertices()[fan.object].point;
+  const auto& p = graph.vertices()[normal_cone.object].point;
   const auto begin = circle.jet({0, 0}, 1);
   const int direction = certain_sign(dot(turned_left(begin[0] - circle.center()), begin[1]));   // around the center
-  const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), fan.normals[!normal]) / CGAL::sqrt(circle.squared_radius());   // <m, T>
+  const Interval along = Interval(direction) * dot(turned_left(circle.center() - p), normal_cone.normals[!normal]) / CGAL::sqrt(circle.squared_radius());   // <m, T>
   const Interval u = interval_of<Interval>(part.range), way = squared_norm(y[0] - p);
   Basic_curvature_bounds<Interval> k;
   if (direction == 0)   // not certain
@@ -166,4 +166,4 @@ Basic_curvature_bounds<Interval> along_circle_through_fan(const Basic_site_graph
 } // namespace Spline_constraints
 } // namespace CGAL
 
-#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_FAN_DISKS_H
+#endif // CGAL_SPLINE_CONSTRAINTS_D_OPERATIONS_VORONOI_INTERNAL_DISKS_NORMAL_CONE_DISKS_H
